@@ -1,0 +1,19 @@
+/// \file
+/// What a heat policy offers: how the temperature follows volume change and plastic work.
+#pragma once
+
+#include <mote/core/error.hpp>
+#include <mote/core/field.hpp>
+#include <mote/core/pack.hpp>
+#include <mote/core/role.hpp>
+
+namespace mote {
+
+/// A heat policy offers update(values, eos, x_old, x_new, work): x = V/V0 before and after the step, and the specific
+/// plastic work of the step, J/kg.
+template <class H, class V, class E>
+concept HeatFor = HasRole<H, role::Heat> && requires(const H& h, V v, const E& e, typename V::number x) {
+  h.update(v, e, x, x, x);
+};
+
+}  // namespace mote
