@@ -179,6 +179,12 @@ constexpr const auto& get(const detail::Slot<T, Tag, D>& slot) {
 template <class V, class Tag>
 inline constexpr bool carries = contains<typename std::remove_cvref_t<V>::list, Tag>;
 
+/// Copies the listed fields from one set of values to another.
+template <class To, class From, class... Tags>
+constexpr void set_fields(To& to, const From& from, fields<Tags...>) {
+  ((get<Tags>(to) = get<Tags>(from)), ...);
+}
+
 /// The numbers of a field's value one after the other, as they are stored.
 template <class Tag, class Value>
 constexpr auto& component(Value& value, int i) {

@@ -70,11 +70,11 @@ constexpr Scalar<T> lane(const T& value, int i) {
 }
 
 template <class V>
-V load(const Scalar<V>* from) {
+V read(const Scalar<V>* from) {
   return V(from, std::experimental::element_aligned);
 }
 template <class V>
-void store(const V& v, Scalar<V>* to) {
+void write(const V& v, Scalar<V>* to) {
   v.copy_to(to, std::experimental::element_aligned);
 }
 

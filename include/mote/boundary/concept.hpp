@@ -1,0 +1,33 @@
+/// \file
+/// What a boundary offers.
+#pragma once
+
+#include <mote/core/error.hpp>
+#include <mote/core/role.hpp>
+#include <mote/core/vec.hpp>
+
+namespace mote {
+
+/// A mirror plane holds the grid velocity to that of a mirrored body beyond it; components are even or odd.
+///
+/// B::side, B::at                    where: a plane through grid nodes, m
+/// B::odd(component, normal_axis)    whether that component changes sign in the mirror (and so vanishes on the plane)
+template <class B>
+concept MirrorPlane = HasRole<B, role::Boundary> && requires(const B& b) {
+  { b.side } -> std::convertible_to<Side>;
+  { b.at } -> std::convertible_to<double>;
+  { B::odd(0, 0) } -> std::convertible_to<bool>;
+};
+
+/// B::axis, B::from, B::to: what leaves at `to` comes in at `from`, m.
+template <class B>
+concept PeriodicPair = HasRole<B, role::Boundary> && requires(const B& b) {
+  { b.axis } -> std::convertible_to<int>;
+  { b.from } -> std::convertible_to<double>;
+  { b.to } -> std::convertible_to<double>;
+};
+
+template <class B>
+concept Boundary = MirrorPlane<B> || PeriodicPair<B>;
+
+}  // namespace mote

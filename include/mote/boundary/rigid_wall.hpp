@@ -1,0 +1,20 @@
+/// \file
+/// Rigid wall that the body sticks to.
+#pragma once
+
+#include <mote/boundary/concept.hpp>
+
+namespace mote::boundary {
+
+/// Velocity zero on the plane (no slip, no contact: the wall is the same metal, at rest), in compression and tension.
+///
+/// All components are odd in the mirror. Zeroing nodes instead would put the wall of a wide kernel half a cell off.
+struct RigidWall {
+  using role = mote::role::Boundary;
+  Side side;
+  double at = 0;  ///< m, on a grid node
+
+  static constexpr bool odd(int, int) { return true; }
+};
+
+}  // namespace mote::boundary

@@ -1,0 +1,18 @@
+/// \file
+/// Symmetry plane.
+#pragma once
+
+#include <mote/boundary/concept.hpp>
+
+namespace mote::boundary {
+
+/// A mirror: the normal velocity is odd, the tangential velocity even. No friction.
+struct Symmetry {
+  using role = mote::role::Boundary;
+  Side side;
+  double at = 0;  ///< m, on a grid node
+
+  static constexpr bool odd(int component, int normal_axis) { return component == normal_axis; }
+};
+
+}  // namespace mote::boundary

@@ -1,0 +1,54 @@
+/// \file
+/// From regions to particles.
+#pragma once
+
+#include <limits>
+
+#include <mote/geometry/seeds.hpp>
+#include <mote/load/body_force.hpp>
+#include <mote/passes/body.hpp>
+
+namespace mote {
+
+/// How Solver::fill places particles.
+template <int D>
+struct Fill {
+  int per_axis = 2;          ///< particles per cell and axis, 1 to 64
+  VectorField<D> velocity{};  ///< initial velocity, m/s: constant or a function of position
+  geometry::Method method = geometry::Method::lattice;
+  double jitter = 0;         ///< random displacement as a part of the particle distance, 0 to 0.5
+  std::uint64_t seed = 0;    ///< of the jitter
+};
+
+/// Appends the particles of a region to a body. \return how many
+template <class T, class B, class R, class M, int D>
+std::size_t append_fill(B& body, const R& region, const M& material, const Fill<D>& how,
+                        const passes::Frame<T, D>& frame, const grid::Domain<D>& domain, std::size_t next_id) {
+  static_assert(R::dimension == D, "mote: the region and the grid differ in dimension");
+  const auto seeds = geometry::seeds(region, geometry::Lattice<D>{frame.spacing, how.per_axis, frame.origin},
+                                     {.method = how.method, .jitter = how.jitter, .seed = how.seed});
+  auto& particles = body.particles;
+  const std::size_t first = particles.size();
+  require(next_id + seeds.size() < std::numeric_limits<std::uint32_t>::max(), "a fill of ", seeds.size(),
+          " particles makes more than the 4,294,967,294 that a solver can number");
+  for (const auto& s : seeds)
+    for (int a = 0; a < D; ++a)
+      require(domain.contains(a, s.position[a]), "a region to fill reaches ", grid::detail::axis_name(a), " = ",
+              s.position[a], " m, beyond the boundary of the domain on that axis");
+  particles.resize(first + seeds.size());
+  Values<T, D, particle_fields_of<M>> at_rest;
+  material.initialise(at_rest);
+  using All = typename B::list;
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    Values<T, D, All> p{};
+    set_fields(p, at_rest, particle_fields_of<M>{});
+    get<field::Position>(p) = cast<T>(seeds[i].position);
+    get<field::Velocity>(p) = cast<T>(how.velocity(seeds[i].position));
+    get<field::Mass>(p) = T(material.rho0() * seeds[i].volume);
+    particles.set_all(first + i, p);
+    particles.template column<field::Id>()[first + i] = std::uint32_t(next_id + i);
+  }
+  return seeds.size();
+}
+
+}  // namespace mote

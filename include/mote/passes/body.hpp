@@ -1,0 +1,68 @@
+/// \file
+/// What the passes work on: a body, its particles and tiles, and where they are on the grid.
+#pragma once
+
+#include <vector>
+
+#include <mote/particles/particles.hpp>
+#include <mote/passes/tiles.hpp>
+
+namespace mote::passes {
+
+/// Particles of one material.
+template <class MaterialType, class T, int D, class Transfer>
+struct Body {
+  using Material = MaterialType;
+  using number = T;
+  static constexpr int dimension = D;
+  /// Exactly what the parts declare; the Id names a particle in messages and frames.
+  using list = union_of<fields<field::Position, field::Velocity, field::Mass, field::Id>, particle_fields_of<Transfer>,
+                        particle_fields_of<Material>>;
+
+  Material material;
+  Particles<T, D, list> particles;
+  std::uint32_t tiles_begin = 0, tiles_end = 0;
+};
+
+/// What a tile reports of its particles after a pass.
+struct TileReport {
+  static constexpr std::uint32_t fine = ~std::uint32_t(0);
+  double max_speed = 0;            ///< max (c + |v|), m/s
+  std::uint32_t failed = fine;     ///< first particle that the equation of state does not cover
+};
+
+/// Where the nodes are.
+template <class T, int D>
+struct Frame {
+  double spacing;
+  Vec<double, D> origin;
+
+  double node_position(int axis, std::int32_t node) const { return origin[axis] + spacing * node; }
+
+  /// Positions in cells relative to the first node of a tile's block: small numbers, exact in single precision too.
+  Vec<Pack<T>, D> in_cells(const Vec<Pack<T>, D>& x, const IVec<D>& block) const {
+    Vec<Pack<T>, D> xi;
+    for (int a = 0; a < D; ++a)
+      xi[a] = (x[a] - T(node_position(a, block[a] * grid::block_edge))) * T(1 / spacing);
+    return xi;
+  }
+};
+
+/// Calls f(first, n) for the packs of a tile's particles.
+template <int D, class F>
+void for_each_pack(const Tile<D>& tile, const F& f) {
+  for (std::uint32_t i = 0; i < tile.count; i += lanes) f(std::size_t(tile.first + i), std::min(lanes, int(tile.count - i)));
+}
+
+/// Packs of components to one record per lane, and back.
+template <class T, int N>
+void to_records(const Pack<T> (&components)[N], T (*records)[N]) {
+  for (int c = 0; c < N; ++c)
+    for (int l = 0; l < lanes; ++l) records[l][c] = components[c][std::size_t(l)];
+}
+template <class T, int N>
+Pack<T> from_records(const T (*records)[N], int c) {
+  return Pack<T>([&](auto l) { return records[int(l)][c]; });
+}
+
+}  // namespace mote::passes

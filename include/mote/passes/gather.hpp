@@ -1,0 +1,185 @@
+/// \file
+/// Grid to particles.
+#pragma once
+
+#include <cmath>
+
+#include <mote/passes/scatter.hpp>
+
+namespace mote::passes {
+
+/// What a gather does: take the velocity, move and strain, or both from one field.
+enum class Task { velocity_and_deform, velocity_and_remap, deform };
+
+/// Copies the grid's velocities to the tile's box; records by task:
+///
+///   velocity (both)    [v | v - v before the forces] for increments, [v | v] for affine transfers
+///   deform             [v mapped back from the particles | v]
+template <Task task, class Transfer, class T, int D>
+void copy_nodes(const Tile<D>& tile, const std::vector<Link<D>>& links, const grid::Blocks<T, D>& blocks,
+                const NodeBox<D>& box, T* nodes) {
+  constexpr int half = grid::node_width<D>;
+  using Half = Simd<T, half>;
+  for (std::uint32_t k = tile.links_begin; k < tile.links_end; ++k) {
+    const std::size_t block = std::size_t(links[k].block) * grid::block_nodes<D>;
+    for_each_row(links[k], box, [&](int in_box, int in_block, int count) {
+      for (int i = 0; i < count; ++i) {
+        const std::size_t from = (block + std::size_t(in_block + i)) * half;
+        T* to = nodes + std::ptrdiff_t(in_box + i) * 2 * half;
+        const Half v = read<Half>(blocks.velocity.data() + from);
+        if constexpr (task == Task::deform) {
+          write(read<Half>(blocks.remapped.data() + from), to);
+          write(v, to + half);
+        } else {
+          write(v, to);
+          if constexpr (Transfer::increment)
+            write(Half(v - read<Half>(blocks.previous.data() + from)), to + half);
+          else
+            write(v, to + half);
+        }
+      }
+    });
+  }
+}
+
+/// A pack's sums in registers, component by component.
+template <Task task, class Shape, class Transfer, class T, int D>
+struct PackSums {
+  static constexpr int half = grid::node_width<D>, width = 2 * half;
+  static constexpr bool axes = task != Task::velocity_and_remap || Transfer::affine;
+  alignas(64) T value[lanes][width];
+  alignas(64) T axis[D][lanes][width];
+
+  PackSums(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil, int n) {
+    constexpr auto halves = Transfer::affine && task != Task::deform ? Halves::slope_moment : Halves::slope_slope;
+    for (int l = 0; l < lanes; ++l) {
+      const auto sum = gather<axes, halves>(nodes, box, stencil, std::min(l, n - 1));
+      write(sum.value, value[l]);
+      if constexpr (axes)
+        for (int a = 0; a < D; ++a) write(sum.axis[a], axis[a][l]);
+    }
+  }
+
+  GridVelocity<Pack<T>, D> velocity(double spacing) const {
+    GridVelocity<Pack<T>, D> g;
+    for (int i = 0; i < D; ++i) {
+      g.pic[i] = from_records<T>(value, task == Task::deform ? half + i : i);
+      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = from_records<T>(value, half + i);
+    }
+    if constexpr (Transfer::affine && task != Task::deform) {
+      // the gradient stands in where the kernel's inertia is singular
+      constexpr bool singular = Shape::inertia == 0;
+      const T scale = T(1 / (singular ? spacing : Shape::inertia * spacing));
+      for (int i = 0; i < D; ++i)
+        for (int a = 0; a < D; ++a) g.affine(i, a) = scale * from_records<T>(axis[a], singular ? i : half + i);
+    }
+    return g;
+  }
+
+  /// dt times the velocity gradient.
+  Mat<Pack<T>, D> increment(double dt_over_h) const {
+    Mat<Pack<T>, D> l;
+    for (int i = 0; i < D; ++i)
+      for (int a = 0; a < D; ++a) l(i, a) = T(dt_over_h) * from_records<T>(axis[a], i);
+    return l;
+  }
+};
+
+/// Lowest nodes that occur in a tile.
+template <int D>
+struct Range {
+  std::array<int, D> lo, hi;
+  Range() {
+    lo.fill(127);
+    hi.fill(-128);
+  }
+  template <class Stencil>
+  void include(const Stencil& stencil, int n) {
+    for (std::size_t a = 0; a < std::size_t(D); ++a)
+      for (int l = 0; l < n; ++l) {
+        lo[a] = std::min(lo[a], stencil.relative[a][l]);
+        hi[a] = std::max(hi[a], stencil.relative[a][l]);
+      }
+  }
+  void put(Tile<D>& tile) const {
+    for (std::size_t a = 0; a < std::size_t(D); ++a) {
+      tile.lo[a] = std::int8_t(std::clamp(lo[a], -128, 127));
+      tile.hi[a] = std::int8_t(std::clamp(hi[a], -128, 127));
+    }
+  }
+};
+
+/// Speed of the fastest signal, and the first particle that the equation of state does not cover.
+template <class B, class V>
+void report(const B& body, const V& p, std::size_t first, int n, TileReport& out) {
+  using std::sqrt;
+  using T = Scalar<typename V::number>;
+  const Pack<T> speed = sqrt(body.material.sound_speed2(p)) + norm(get<field::Velocity>(p));
+  out.max_speed = std::max(out.max_speed, double(std::experimental::hmax(speed)));
+  const auto good = body.material.admissible(p);
+  if (!all_of(good)) [[unlikely]]
+    for (int l = n - 1; l >= 0; --l)
+      if (!good[std::size_t(l)]) out.failed = std::min(out.failed, std::uint32_t(first) + std::uint32_t(l));
+}
+
+/// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
+/// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
+template <Task task, class Shape, class Transfer, class B, class T, int D>
+TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const std::vector<Link<D>>& links,
+                       const grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, double dt, T* accumulators) {
+  constexpr int width = 2 * grid::node_width<D>;
+  constexpr bool moves = task != Task::velocity_and_remap, takes_velocity = task != Task::deform;
+  const NodeBox<D> box(tile, Shape::support);
+  alignas(64) T nodes[NodeBox<D>::capacity(Shape::support) * width];
+  copy_nodes<task, Transfer>(tile, links, blocks, box, nodes);
+  if constexpr (!moves) std::fill_n(accumulators + tile.buffer * width, box.size * width, T(0));
+  TileReport result;
+  Range<D> range;
+  using Motion = union_of<fields<field::Position, field::Velocity>, particle_fields_of<Transfer>>;
+  using Changed = std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
+  using Written = union_of<Changed, std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>>;
+  for_each_pack(tile, [&](std::size_t first, int n) {
+    Values<Pack<T>, D, union_of<Motion, fields<field::Mass>, particle_fields_of<typename B::Material>>> p;
+    body.particles.load(first, n, p);
+    Stencil<T, D, Shape> stencil;
+    stencil.template set<true, Transfer::affine && takes_velocity>(frame.in_cells(get<field::Position>(p), tile.block), box);
+    const PackSums<task, Shape, Transfer, T, D> sums(nodes, box, stencil, n);
+    const auto grid_velocity = sums.velocity(frame.spacing);
+    if constexpr (takes_velocity) transfer.update(p, grid_velocity);
+    if constexpr (moves) {
+      auto& x = get<field::Position>(p);
+      x += grid_velocity.pic * Pack<T>(T(dt));
+      body.material.update(p, embed(sums.increment(dt / frame.spacing)));
+      report(body, p, first, n, result);
+      stencil.locate(frame.in_cells(x, tile.block));
+      range.include(stencil, n);
+    } else {
+      Pack<T> value[width], axis[D][width];
+      momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
+      scatter_pack<Transfer::affine ? Halves::moment_slope : Halves::slope_slope>(accumulators + tile.buffer * width, box,
+                                                                                stencil, n, value, axis);
+    }
+    body.particles.store(first, n, p, Written{});
+  });
+  if constexpr (moves) range.put(tile);
+  return result;
+}
+
+/// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.
+template <class Shape, class B, class T, int D>
+TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
+  TileReport result;
+  Range<D> range;
+  for_each_pack(tile, [&](std::size_t first, int n) {
+    Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, particle_fields_of<typename B::Material>>> p;
+    body.particles.load(first, n, p);
+    report(body, p, first, n, result);
+    Stencil<T, D, Shape> stencil;
+    stencil.locate(frame.in_cells(get<field::Position>(p), tile.block));
+    range.include(stencil, n);
+  });
+  range.put(tile);
+  return result;
+}
+
+}  // namespace mote::passes

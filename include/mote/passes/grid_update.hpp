@@ -1,0 +1,246 @@
+/// \file
+/// The grid's own part of a step: sum what the tiles brought, solve for velocities, hold them to the boundaries.
+#pragma once
+
+#include <mote/load/body_force.hpp>
+#include <mote/passes/body.hpp>
+
+namespace mote::passes {
+
+/// Energies and impulses of one step that only the grid knows; sums over nodes.
+template <int D>
+struct GridLedger {
+  double work = 0;       ///< by internal forces and loads, J: what the kinetic energy of the constrained grid gains
+  double load_work = 0;  ///< by loads alone, J
+  double wall_loss = 0;  ///< kinetic energy taken at once by planes that the incoming momentum does not obey, J
+  std::array<Vec<double, D>, 2 * D> impulse{};  ///< that boundary parts gave the body, N s, by number of the part
+
+  GridLedger& operator+=(const GridLedger& b) {
+    work += b.work, load_work += b.load_work, wall_loss += b.wall_loss;
+    for (std::size_t i = 0; i < impulse.size(); ++i) impulse[i] += b.impulse[i];
+    return *this;
+  }
+};
+
+/// Sums the records of all tiles that reach a block, in the order of tiles.
+/// \return whether any does
+template <class T, int D>
+bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support, T* sums) {
+  constexpr int width = 2 * grid::node_width<D>;
+  using Record = Simd<T, width>;
+  std::fill_n(sums, grid::block_nodes<D> * width, T(0));
+  bool touched = false;
+  for (std::uint32_t k = tiling.block_links_begin[block]; k < tiling.block_links_begin[block + 1]; ++k) {
+    const Link<D>& link = tiling.links[tiling.block_links[k]];
+    const Tile<D>& tile = tiling.tiles[link.tile];
+    const T* from = accumulators + tile.buffer * width;
+    for_each_row(link, NodeBox<D>(tile, support), [&](int in_box, int in_block, int count) {
+      touched = true;
+      for (int i = 0; i < count; ++i) {
+        T* to = sums + (in_block + i) * width;
+        write(Record(read<Record>(to) + read<Record>(from + std::ptrdiff_t(in_box + i) * width)), to);
+      }
+    });
+  }
+  return touched;
+}
+
+template <class T, int D>
+Vec<T, D> node_vector(const T* field, std::size_t node) {
+  Vec<T, D> v{};
+  for (int i = 0; i < D; ++i) v[i] = field[node * grid::node_width<D> + std::size_t(i)];
+  return v;
+}
+template <class T, int D>
+void set_node_vector(T* field, std::size_t node, const Vec<T, D>& v) {
+  for (int i = 0; i < D; ++i) field[node * grid::node_width<D> + std::size_t(i)] = v[i];
+}
+
+/// v_old = p/m and v = v_old + dt (f/m + b) on a block's nodes, before any plane.
+template <class T, int D, class Loads>
+GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
+                               grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, const Loads& loads, double time,
+                               double dt) {
+  constexpr int half = grid::node_width<D>, width = 2 * half, nodes = grid::block_nodes<D>;
+  alignas(64) T sums[nodes * width];
+  GridLedger<D> ledger;
+  const std::size_t first = std::size_t(block) * nodes;
+  if (!sum_tiles(block, tiling, accumulators, support, sums)) {
+    std::fill_n(blocks.mass.data() + first, nodes, T(0));
+    std::fill_n(blocks.velocity.data() + first * half, nodes * half, T(0));
+    std::fill_n(blocks.previous.data() + first * half, nodes * half, T(0));
+    return ledger;
+  }
+  for (int i = 0; i < nodes; ++i) {
+    const T* record = sums + i * width;
+    const std::size_t node = first + std::size_t(i);
+    const T m = record[0], over_m = m > T(0) ? T(1) / m : T(0);
+    blocks.mass[node] = m;
+    Vec<T, D> old{}, gain{};
+    for (int a = 0; a < D; ++a) {
+      old[a] = over_m * record[1 + a];
+      gain[a] = T(dt) * (over_m * record[half + a]);
+    }
+    if constexpr (std::tuple_size_v<Loads> > 0) {
+      if (m > T(0)) {
+        const Vec<T, D> pushed = load_gain<T, D>(blocks.coordinates(node), frame, loads, time, dt);
+        ledger.load_work += double(m * dot(pushed, old + T(0.5) * (gain + pushed)));
+        gain += pushed;
+      }
+    }
+    ledger.work += double(m * dot(gain, old + T(0.5) * gain));
+    set_node_vector(blocks.previous.data(), node, old);
+    set_node_vector(blocks.velocity.data(), node, old + gain);
+  }
+  return ledger;
+}
+
+template <class T, int D, class Loads>
+Vec<T, D> load_gain(const IVec<D>& node, const Frame<T, D>& frame, const Loads& loads, double time, double dt) {
+  Vec<double, D> x{}, b{};
+  for (int a = 0; a < D; ++a) x[a] = frame.node_position(a, node[a]);
+  std::apply([&](const auto&... load) { ((b += load.acceleration(x, time)), ...); }, loads);
+  return cast<T>(b * dt);
+}
+
+/// A node and its images beyond the planes, which carry the same velocity up to signs.
+template <int D>
+struct Images {
+  struct Image {
+    std::size_t node;
+    std::array<bool, D> odd;
+  };
+  std::array<Image, 64> image;
+  int count = 0;
+  std::array<int, D> held;  ///< per component: the boundary part that flips it in some image or on its plane, or -1
+  std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
+
+  /// False if the node is itself beyond a plane, or if no plane concerns it.
+  template <class T>
+  bool find(const IVec<D>& node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
+    held.fill(-1);
+    zero.fill(false);
+    count = 1;
+    image[0] = {blocks.find(node), {}};
+    IVec<D> at[64];
+    at[0] = node;
+    bool concerned = false;
+    for (int a = 0; a < D; ++a)
+      for (int end = 0; end < 2; ++end) {
+        const auto& plane = domain.plane(a, end);
+        if (!plane) continue;
+        const std::int32_t depth = end ? plane->node - node[a] : node[a] - plane->node;
+        if (depth < 0) return false;
+        if (depth > ghosts(support)) continue;
+        concerned = true;
+        for (int c = 0; c < D; ++c)
+          if (plane->odd[std::size_t(c)]) {
+            if (held[std::size_t(c)] < 0) held[std::size_t(c)] = plane->part;
+            zero[std::size_t(c)] |= depth == 0;
+          }
+        if (depth == 0) continue;
+        for (int i = 0, before = count; i < before; ++i) {
+          IVec<D> mirrored = at[i];
+          mirrored[a] = 2 * plane->node - at[i][a];
+          const std::size_t number = blocks.find(mirrored);
+          if (number == blocks.none || blocks.mass[number] == T(0)) continue;
+          at[count] = mirrored;
+          image[std::size_t(count)] = {number, image[std::size_t(i)].odd};
+          for (std::size_t c = 0; c < std::size_t(D); ++c)
+            image[std::size_t(count)].odd[c] = image[std::size_t(i)].odd[c] != plane->odd[c];
+          ++count;
+        }
+      }
+    return concerned;
+  }
+
+  template <class T>
+  Vec<T, D> reflect(Vec<T, D> v, const Image& i) const {
+    for (int c = 0; c < D; ++c) v[c] = i.odd[std::size_t(c)] ? -v[c] : v[c];
+    return v;
+  }
+
+  /// Mass-weighted mean of a node field over the images: the field's projection on what the planes allow.
+  template <class T>
+  Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const std::vector<T>& field, T& mass) const {
+    Vec<T, D> momentum{};
+    mass = T(0);
+    for (int i = 0; i < count; ++i) {
+      const Image& im = image[std::size_t(i)];
+      mass += blocks.mass[im.node];
+      momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node), im);
+    }
+    for (int c = 0; c < D; ++c)
+      momentum[c] = zero[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
+    return momentum;
+  }
+};
+
+/// Holds the velocities of a block's nodes, and of their images, to the planes; books impulses and losses.
+///
+/// A virtual mirrored body shares its momentum with the real one, node by node: v = (p + S p')/(m + m'), which is the
+/// Galerkin reduction to velocity fields that the mirror maps on themselves. Momentum before the forces stays as the
+/// particles brought it, so that FLIP feels the wall.
+template <class T, int D>
+GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
+                             int support) {
+  GridLedger<D> ledger;
+  Images<D> images;
+  for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
+    const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
+    if (!images.find(blocks.coordinates(node), domain, blocks, support)) continue;
+    T mass;
+    const Vec<T, D> v = images.mean(blocks, blocks.velocity, mass), old = images.mean(blocks, blocks.previous, mass);
+    const double old_energy = 0.5 * double(mass * dot(old, old));
+    ledger.work += 0.5 * double(mass * dot(v, v)) - old_energy;
+    ledger.wall_loss -= old_energy;
+    for (int k = 0; k < images.count; ++k) {
+      const auto& image = images.image[std::size_t(k)];
+      const T m = blocks.mass[image.node];
+      const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), image.node), held = images.reflect(v, image),
+                      before = node_vector<T, D>(blocks.previous.data(), image.node);
+      for (std::size_t c = 0; c < std::size_t(D); ++c)
+        if (images.held[c] >= 0)
+          ledger.impulse[std::size_t(images.held[c])][int(c)] += double(m * (held[int(c)] - raw[int(c)]));
+      const double energy = 0.5 * double(m * dot(before, before));
+      ledger.wall_loss += energy;
+      ledger.work -= 0.5 * double(m * dot(raw, raw)) - energy;
+      set_node_vector(blocks.velocity.data(), image.node, held);
+    }
+  }
+  return ledger;
+}
+
+/// The velocity field that the particles' new momenta make, before any plane.
+template <class T, int D>
+void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
+                 grid::Blocks<T, D>& blocks) {
+  constexpr int half = grid::node_width<D>, width = 2 * half, nodes = grid::block_nodes<D>;
+  alignas(64) T sums[nodes * width];
+  sum_tiles(block, tiling, accumulators, support, sums);
+  for (int i = 0; i < nodes; ++i) {
+    const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
+    const T m = sums[i * width];
+    Vec<T, D> v{};
+    for (int a = 0; a < D; ++a) v[a] = m > T(0) ? sums[i * width + 1 + a] / m : T(0);
+    set_node_vector(blocks.remapped.data(), node, v);
+  }
+}
+
+/// Holds the remapped velocities to the planes.
+template <class T, int D>
+void hold_remapped(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support) {
+  Images<D> images;
+  for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
+    const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
+    if (!images.find(blocks.coordinates(node), domain, blocks, support)) continue;
+    T mass;
+    const Vec<T, D> v = images.mean(blocks, blocks.remapped, mass);
+    for (int k = 0; k < images.count; ++k) {
+      const auto& image = images.image[std::size_t(k)];
+      set_node_vector(blocks.remapped.data(), image.node, images.reflect(v, image));
+    }
+  }
+}
+
+}  // namespace mote::passes

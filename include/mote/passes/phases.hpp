@@ -1,0 +1,231 @@
+/// \file
+/// The phases of a step: each a sweep over tiles or blocks. An update policy (update/) puts them in order.
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include <mote/passes/gather.hpp>
+#include <mote/passes/grid_update.hpp>
+#include <mote/passes/sort.hpp>
+
+namespace mote::passes {
+
+/// The state of a computation and its phases.
+template <class Shape, class Transfer, class T, int D, class Execution, class Loads, class Materials>
+class Phases;
+
+template <class Shape, class Transfer, class T, int D, class Execution, class Loads, class... Materials>
+class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> {
+  using Bodies = std::tuple<Body<Materials, T, D, Transfer>...>;
+
+  Frame<T, D> frame_;
+  Transfer transfer_;
+  Execution executor_;
+  grid::Domain<D> domain_;
+  Loads loads_;
+  Bodies bodies_;
+  Tiling<D> tiling_;
+  Linker<T, D> linker_;
+  grid::Blocks<T, D> blocks_;
+  std::vector<T> accumulators_;
+  std::vector<TileReport> reports_;
+  std::vector<GridLedger<D>> block_ledgers_;
+  GridLedger<D> ledger_;
+  bool remaps_;
+  double time_ = 0, dt_ = 0;
+
+ public:
+  template <class Grid, class Boundaries>
+  Phases(const Grid& grid, const Transfer& transfer, const Execution& executor, const Boundaries& boundaries,
+         const Loads& loads, const std::tuple<Materials...>& materials, bool remaps)
+      : frame_{grid.spacing, grid.origin},
+        transfer_(transfer),
+        executor_(executor),
+        domain_(grid.spacing, grid.origin, boundaries),
+        loads_(loads),
+        bodies_(std::apply([](const auto&... m) { return Bodies{{m, {}, 0, 0}...}; }, materials)),
+        remaps_(remaps) {}
+
+  /// A step of length dt starts at `time`.
+  void begin(double time, double dt) {
+    time_ = time;
+    dt_ = dt;
+  }
+
+  // ---- the phases
+
+  /// Mass, momentum and internal force of all particles, per tile.
+  void scatter_momentum_and_force() {
+    tiling_.place_buffers(Shape::support);
+    accumulators_.resize(tiling_.buffer_nodes * 2 * grid::node_width<D>);
+    for_each_tile([&](auto& body, std::uint32_t t) {
+      scatter_tile<Shape, Transfer>(body, tiling_.tiles[t], frame_, accumulators_.data());
+    });
+  }
+
+  /// Velocities of all nodes after forces, loads and boundaries.
+  void update_grid() {
+    block_ledgers_.assign(blocks_.index.size() + tiling_.plane_blocks.size(), {});
+    executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
+      block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
+                                           frame_, loads_, time_, dt_);
+    });
+    executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
+      block_ledgers_[blocks_.index.size() + i] =
+          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
+    });
+    for (const auto& l : block_ledgers_) ledger_ += l;
+  }
+
+  /// Velocity, position and stress of the particles from one grid velocity.
+  void gather_velocity_and_deform() { gather_all<Task::velocity_and_deform>(); }
+
+  /// Velocity of the particles, and its momentum back to the tiles.
+  void gather_velocity_and_remap() { gather_all<Task::velocity_and_remap>(); }
+
+  /// The velocity field of the remapped momentum, within the boundaries.
+  void constrain_remapped() {
+    executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
+      remap_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
+    });
+    executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
+      hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
+    });
+  }
+
+  /// Position from the grid velocity, stress from the remapped one.
+  void deform() { gather_all<Task::deform>(); }
+
+  // ---- between steps
+
+  /// Whether a particle has drifted out of its tile's reach, so that a sort is due.
+  bool strayed() const {
+    return std::any_of(tiling_.tiles.begin(), tiling_.tiles.end(), [](const auto& t) { return t.strayed(); });
+  }
+
+  /// Particles into cell order, tiles, links and blocks anew.
+  template <class S>
+  void sort(S& sorter, std::size_t step) {
+    tiling_.tiles.clear();
+    for_each_body([&](auto& body) {
+      const auto lost = [&](std::size_t p, const char* why) { throw NumericalError(describe_lost(body, p, why, step)); };
+      sorter.template operator()<Shape>(body, tiling_.tiles, frame_, domain_, executor_, lost);
+    });
+    linker_(tiling_, blocks_, domain_, Shape::support);
+    blocks_.allocate(remaps_);
+    reports_.resize(tiling_.tiles.size());
+    for_each_tile([&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
+    // room for the boxes at their largest: pages that are not touched cost nothing, and no step allocates
+    accumulators_.reserve(tiling_.tiles.size() * std::size_t(NodeBox<D>::capacity(Shape::support)) * 2 * grid::node_width<D>);
+    block_ledgers_.reserve(blocks_.index.size() + tiling_.plane_blocks.size());
+    check(step);
+  }
+
+  /// Throws NumericalError if a particle has left the range of its equation of state.
+  void check(std::size_t step) const {
+    for_each_body([&](const auto& body) {
+      for (std::uint32_t t = body.tiles_begin; t < body.tiles_end; ++t)
+        if (reports_[t].failed != TileReport::fine)
+          throw NumericalError(describe_failed(body, reports_[t].failed, step));
+    });
+  }
+
+  double max_speed() const {
+    double s = 0;
+    for (const auto& r : reports_) s = std::max(s, r.max_speed);
+    return s;
+  }
+
+  /// The fastest particle, for a message.
+  std::string describe_fastest(std::size_t step) const {
+    std::string found;
+    double largest = -1;
+    for_each_body([&](const auto& body) {
+      for (std::size_t p = 0; p < body.particles.size(); ++p) {
+        const double v = double(norm(body.particles.template get<field::Velocity>(p)));
+        if (v > largest || v != v) {
+          largest = v;
+          found = text(describe(body, p, step), " moves at ", v, " m/s");
+        }
+        if (v != v) return;
+      }
+    });
+    return found;
+  }
+
+  // ---- what others may look at
+
+  const Frame<T, D>& frame() const { return frame_; }
+  const grid::Domain<D>& domain() const { return domain_; }
+  const grid::Blocks<T, D>& blocks() const { return blocks_; }
+  const GridLedger<D>& ledger() const { return ledger_; }
+  const Execution& executor() const { return executor_; }
+  const Tiling<D>& tiling() const { return tiling_; }
+
+  template <class M>
+  static constexpr bool holds = (std::is_same_v<M, Materials> || ...);
+  /// The body of a material; of several of one type, the first.
+  template <class M>
+  auto& body_of() {
+    return std::get<Body<M, T, D, Transfer>>(bodies_);
+  }
+  template <int I>
+  auto& body() {
+    return std::get<std::size_t(I)>(bodies_);
+  }
+  template <int I>
+  const auto& body() const {
+    return std::get<std::size_t(I)>(bodies_);
+  }
+  template <class F>
+  void for_each_body(F&& f) {
+    std::apply([&](auto&... body) { (f(body), ...); }, bodies_);
+  }
+  template <class F>
+  void for_each_body(F&& f) const {
+    std::apply([&](const auto&... body) { (f(body), ...); }, bodies_);
+  }
+  std::size_t size() const {
+    std::size_t n = 0;
+    for_each_body([&](const auto& body) { n += body.particles.size(); });
+    return n;
+  }
+
+ private:
+  template <class F>
+  void for_each_tile(const F& f) {
+    for_each_body([&](auto& body) {
+      executor_.for_each(body.tiles_end - body.tiles_begin,
+                         [&](std::size_t i) { f(body, body.tiles_begin + std::uint32_t(i)); });
+    });
+  }
+
+  template <Task task>
+  void gather_all() {
+    for_each_tile([&](auto& body, std::uint32_t t) {
+      const TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_, dt_,
+                                                    accumulators_.data());
+      if constexpr (task != Task::velocity_and_remap) reports_[t] = r;
+    });
+  }
+
+  template <class B>
+  std::string describe(const B& body, std::size_t p, std::size_t step) const {
+    std::string where;
+    for (int a = 0; a < D; ++a) where += text(a ? ", " : "", body.particles.template column<field::Position>(a)[p]);
+    return text("particle ", body.particles.template column<field::Id>()[p], " at (", where, ") m, in step ", step);
+  }
+  template <class B>
+  std::string describe_lost(const B& body, std::size_t p, const char* why, std::size_t step) const {
+    return text("mote: ", describe(body, p, step), ", ", why,
+                ". Try a smaller Courant number, update::Musl or transfer::Apic, or look at the frames before");
+  }
+  template <class B>
+  std::string describe_failed(const B& body, std::size_t p, std::size_t step) const {
+    return text("mote: ", describe(body, p, step), ", has V/V0 = ", body.particles.template column<field::VolumeRatio>()[p],
+                ", which its equation of state does not cover. Try a smaller Courant number, a finer grid or a lower speed");
+  }
+};
+
+}  // namespace mote::passes

@@ -1,0 +1,28 @@
+/// \file
+/// What a shape function offers: a one-dimensional kernel; the solver takes tensor products of it.
+#pragma once
+
+#include <concepts>
+
+#include <mote/core/pack.hpp>
+#include <mote/core/role.hpp>
+
+namespace mote {
+
+/// With xi = (x - origin)/h, lowest node b = floor(xi - S::first) and f = xi - b in [first, first + 1):
+///
+/// S::support             nodes per axis that a particle touches
+/// S::first               offset of the lowest node, see above
+/// S::inertia             sum_i w_i (i - f)^2 where it does not depend on f, else 0 (D = inertia h^2 of APIC)
+/// S::values(f, w)        w[i], i < support: the kernel at node b + i
+/// S::slopes(f, d)        d[i] = d w[i]/d xi
+template <class S>
+concept Shape = HasRole<S, role::Shape> && requires(double f, double* out) {
+  { S::support } -> std::convertible_to<int>;
+  { S::first } -> std::convertible_to<double>;
+  { S::inertia } -> std::convertible_to<double>;
+  S::values(f, out);
+  S::slopes(f, out);
+};
+
+}  // namespace mote

@@ -1,0 +1,241 @@
+/// \file
+/// Solver: parts in any order, assembled into an explicit material point method.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include <mote/core/role.hpp>
+#include <mote/execution/serial.hpp>
+#include <mote/fill.hpp>
+#include <mote/material.hpp>
+#include <mote/passes/phases.hpp>
+#include <mote/passes/sort.hpp>
+#include <mote/sleep/never.hpp>
+#include <mote/update/usl.hpp>
+
+namespace mote {
+
+namespace detail {
+
+/// Stand where a needed part is missing, so that the prose of the solver is the first error.
+struct Missing {};
+struct MissingGrid {
+  static constexpr int dimension = 1;
+  using number = double;
+};
+
+template <class R, class Default, class... Parts>
+using First = typename FirstOf<R, Default, Parts...>::type;
+
+template <class P>
+inline constexpr bool has_solver_role =
+    has_any_role<P, role::Grid, role::Shape, role::Transfer, role::Update, role::Timestep, role::Execution, role::Sleep,
+                 role::Boundary, role::Load, role::Material>;
+
+}  // namespace detail
+
+/// How long a run lasts.
+struct Run {
+  double until;                                                    ///< s
+  std::size_t max_steps = std::numeric_limits<std::size_t>::max();
+};
+
+/// An explicit material point method, assembled from parts in any order (roles in core/role.hpp):
+///
+///   needed     grid, shape function, transfer, time step, one or more materials
+///   optional   update order (update::Usl), execution (execution::Serial), sleep (sleep::Never), boundaries, loads
+///
+/// What a step guarantees: the answer does not depend on the executor or its number of threads, to the last bit. Columns
+/// keep their place unless a sort was due; sorts() counts those. A step that throws NumericalError (also from a worker
+/// thread) leaves the columns as the failed step left them, to be looked at or written, and every further step throws
+/// UsageError. One solver must not be used from two threads at once; two solvers may run side by side.
+template <class Grid, class Shape, class Transfer, class Update, class Timestep, class Execution, class Boundaries,
+          class Loads, class Materials>
+class Solver {
+  static_assert(!std::is_same_v<Grid, detail::MissingGrid>, "mote: no grid given; add e.g. grid::Cartesian<3>{.spacing = h}");
+  static_assert(!std::is_same_v<Shape, detail::Missing>, "mote: no shape function given; add e.g. shape::QuadraticBSpline{}");
+  static_assert(!std::is_same_v<Transfer, detail::Missing>, "mote: no transfer given; add e.g. transfer::Apic{}");
+  static_assert(!std::is_same_v<Timestep, detail::Missing>, "mote: no time step given; add e.g. timestep::Cfl{}");
+  static_assert(std::tuple_size_v<Materials> > 0, "mote: no material given; add e.g. a Material{eos::..., strength::...}");
+
+ public:
+  static constexpr int dimension = Grid::dimension;
+  using number = typename Grid::number;
+  using shape = Shape;
+  using transfer = Transfer;
+
+ private:
+  static constexpr int D = dimension;
+  using T = number;
+  using Phases = passes::Phases<Shape, Transfer, T, D, Execution, Loads, Materials>;
+
+  Update update_;
+  Timestep timestep_;
+  Phases phases_;
+  passes::Sorter<D> sorter_;
+  double time_ = 0, last_dt_ = 0;
+  std::size_t steps_ = 0, sorts_ = 0, next_id_ = 0;
+  double first_dt_ = 0;
+  bool sorted_ = false, failed_ = false;
+
+ public:
+  template <class... Parts>
+  explicit Solver(const Parts&... parts)
+      : update_(detail::pick<role::Update, Update>(parts...)),
+        timestep_(detail::pick<role::Timestep, Timestep>(parts...)),
+        phases_(detail::pick<role::Grid, Grid>(parts...), detail::pick<role::Transfer, Transfer>(parts...),
+                detail::pick<role::Execution, Execution>(parts...), detail::pick_all<role::Boundary>(parts...),
+                detail::pick_all<role::Load>(parts...), detail::pick_all<role::Material>(parts...), Update::remaps) {
+    static_assert((detail::has_solver_role<Parts> && ...),
+                  "mote: a solver takes parts with a role (grid, shape, transfer, update, time step, execution, sleep, "
+                  "boundary, load, material); equations of state and strengths go into a Material");
+    static_assert(count_of<role::Grid, Parts...> <= 1, "mote: a solver takes one grid");
+    static_assert(count_of<role::Shape, Parts...> <= 1, "mote: a solver takes one shape function");
+    static_assert(count_of<role::Transfer, Parts...> <= 1, "mote: a solver takes one transfer");
+    static_assert(count_of<role::Update, Parts...> <= 1, "mote: a solver takes one update order");
+    static_assert(count_of<role::Timestep, Parts...> <= 1, "mote: a solver takes one time step policy");
+    static_assert(count_of<role::Execution, Parts...> <= 1, "mote: a solver takes one executor");
+    const auto check = [](const auto& part) {
+      if constexpr (requires { part.validate(); }) part.validate();
+    };
+    (check(parts), ...);
+  }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+
+  /// Puts particles of a material where the region is; see Fill for the options. \return how many
+  template <geometry::Region R, class M>
+  std::size_t fill(const R& region, const M& material, const Fill<D>& how) {
+    static_assert(Phases::template holds<M>, "mote: fill() was given a material that the solver does not hold");
+    auto& body = phases_.template body_of<M>();
+    const std::size_t added =
+        append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
+    next_id_ += added;
+    sorted_ = false;
+    return added;
+  }
+
+  /// One step of the length that the time step policy gives, and at most `limit` seconds. \return its length, s
+  double step(double limit = std::numeric_limits<double>::infinity()) {
+    if (failed_) throw UsageError("mote: the solver failed in an earlier step and cannot go on");
+    prepare();
+    const double dt = next_dt(limit);
+    failed_ = true;  // until the step is done
+    phases_.begin(time_, dt);
+    update_(phases_);
+    time_ += dt;
+    last_dt_ = dt;
+    ++steps_;
+    phases_.check(steps_);
+    if (phases_.strayed()) sort();
+    failed_ = false;
+    return dt;
+  }
+
+  /// Steps until `run.until`, and shows the solver to each observer: at the start, whenever one is due, and at the end.
+  /// Steps land on the observers' times.
+  template <class... Observers>
+  void run(const Run& run, Observers&&... observers) {
+    require(run.until > time_, "the run lasts until ", run.until, " s; it must lie after the present time, ", time_, " s");
+    prepare();
+    (observers.begin(*this, run), ...);
+    for (std::size_t n = 0; time_ < run.until && n < run.max_steps; ++n) {
+      double due = run.until;
+      ((due = std::min(due, observers.due())), ...);
+      advance_towards(due);
+      (observers.observe(*this), ...);
+    }
+    (observers.end(*this), ...);
+  }
+
+  /// Sorts particles and surveys their speeds if columns were written or particles added; step() does so by itself after
+  /// fill(). Call it after writing columns from outside.
+  void refresh() { sort(); }
+
+  double time() const { return time_; }                  ///< s
+  double last_dt() const { return last_dt_; }            ///< s
+  std::size_t steps() const { return steps_; }
+  std::size_t sorts() const { return sorts_; }           ///< after one, particles have changed their places in the columns
+  double spacing() const { return phases_.frame().spacing; }  ///< m
+  std::size_t size() const { return phases_.size(); }    ///< particles of all bodies
+
+  /// The columns of body i, in the order of the materials given.
+  template <int I = 0>
+  auto& particles() {
+    return phases_.template body<I>().particles;
+  }
+  template <int I = 0>
+  const auto& particles() const {
+    return phases_.template body<I>().particles;
+  }
+  template <int I = 0>
+  const auto& material() const {
+    return phases_.template body<I>().material;
+  }
+  /// Calls f(material, particles) for each body.
+  template <class F>
+  void for_each_body(F&& f) const {
+    phases_.for_each_body([&](const auto& body) { f(body.material, body.particles); });
+  }
+
+  const grid::Domain<D>& domain() const { return phases_.domain(); }
+  const passes::Frame<T, D>& frame() const { return phases_.frame(); }
+  /// Node fields of the last step.
+  const grid::Blocks<T, D>& nodes() const { return phases_.blocks(); }
+  /// Sums over all steps so far of what only the grid knows.
+  const passes::GridLedger<D>& ledger() const { return phases_.ledger(); }
+  const Execution& executor() const { return phases_.executor(); }
+
+  /// Bytes per particle of the columns of body i.
+  template <int I = 0>
+  static constexpr int bytes_per_particle =
+      std::remove_reference_t<decltype(std::declval<Solver&>().template particles<I>())>::bytes_per_particle;
+
+ private:
+  void prepare() {
+    if (size() == 0) throw UsageError("mote: there are no particles; call fill() before the first step");
+    if (!sorted_) sort();
+  }
+
+  void sort() {
+    failed_ = true;
+    phases_.sort(sorter_, steps_);
+    failed_ = false;
+    sorted_ = true;
+    ++sorts_;
+  }
+
+  double next_dt(double limit) {
+    const double dt = timestep_(spacing(), phases_.max_speed());
+    if (first_dt_ == 0) first_dt_ = dt;
+    if (!(dt > 1e-6 * first_dt_))
+      throw NumericalError(text("mote: the time step has collapsed to ", dt, " s in step ", steps_ + 1, " (it began with ",
+                                first_dt_, " s): a particle is much too fast or too stiff; ", phases_.describe_fastest(steps_ + 1),
+                                ". Try a smaller Courant number, update::Musl or transfer::Apic"));
+    return std::min(dt, limit);
+  }
+
+  /// One step that lands on `due` or leaves at least half a step to it.
+  void advance_towards(double due) {
+    const double left = due - time_;
+    const double dt = timestep_(spacing(), phases_.max_speed());
+    if (left <= dt * (1 + 1e-9)) {
+      step(left);
+      time_ = due;
+    } else {
+      step(left < 2 * dt ? 0.5 * left : dt);
+    }
+  }
+};
+
+template <class... Parts>
+Solver(const Parts&...)
+    -> Solver<detail::First<role::Grid, detail::MissingGrid, Parts...>, detail::First<role::Shape, detail::Missing, Parts...>,
+              detail::First<role::Transfer, detail::Missing, Parts...>, detail::First<role::Update, update::Usl, Parts...>,
+              detail::First<role::Timestep, detail::Missing, Parts...>,
+              detail::First<role::Execution, execution::Serial, Parts...>, detail::AllOf<role::Boundary, Parts...>,
+              detail::AllOf<role::Load, Parts...>, detail::AllOf<role::Material, Parts...>>;
+
+}  // namespace mote

@@ -1,0 +1,30 @@
+/// \file
+/// What a transfer offers: what a particle keeps of the grid's velocity field.
+#pragma once
+
+#include <concepts>
+
+#include <mote/core/field.hpp>
+#include <mote/core/role.hpp>
+
+namespace mote {
+
+/// What the grid offers a particle; all sums over its nodes.
+template <class T, int D>
+struct GridVelocity {
+  Vec<T, D> pic;        ///< sum w v, m/s
+  Vec<T, D> increment;  ///< sum w (v - v before the forces), m/s; only if the transfer states `increment`
+  Mat<T, D> affine;     ///< D^-1-weighted moment sum w v (x_i - x_p)^T, or sum v grad w where D is singular, 1/s;
+                        ///< only if the transfer states `affine`
+};
+
+/// X::affine       whether particles carry field::Affine and momentum m w (v + C (x_i - x_p)) goes to the grid
+/// X::increment    whether the grid keeps its velocity from before the forces
+/// x.update(values, grid)    sets the particle's field::Velocity (and field::Affine)
+template <class X>
+concept Transfer = HasRole<X, role::Transfer> && requires {
+  { X::affine } -> std::convertible_to<bool>;
+  { X::increment } -> std::convertible_to<bool>;
+};
+
+}  // namespace mote
