@@ -221,7 +221,7 @@ class Material {
   static void copy_back(To& to, const From& from, int l, fields<Tags...>) {
     const auto copy = [&]<class Tag>(Tag) {
       for (int i = 0; i < count<Tag, D>(); ++i)
-        component<Tag>(get<Tag>(to), i)[std::size_t(l)] = component<Tag>(get<Tag>(from), i);
+        component<Tag>(get<Tag>(to), i).set(l, component<Tag>(get<Tag>(from), i));
     };
     (copy(Tags{}), ...);
   }

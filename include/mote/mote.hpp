@@ -1,11 +1,12 @@
 /// \file
-/// All of mote.
+/// All of mote. SI units throughout; see docs/conventions.md.
 #pragma once
 
 #include <mote/boundary/concept.hpp>
 #include <mote/boundary/periodic.hpp>
 #include <mote/boundary/rigid_wall.hpp>
 #include <mote/boundary/symmetry.hpp>
+#include <mote/core/aligned.hpp>
 #include <mote/core/error.hpp>
 #include <mote/core/field.hpp>
 #include <mote/core/pack.hpp>
@@ -20,25 +21,41 @@
 #include <mote/execution/concept.hpp>
 #include <mote/execution/serial.hpp>
 #include <mote/execution/threads.hpp>
+#include <mote/fill.hpp>
 #include <mote/geometry/ball.hpp>
 #include <mote/geometry/boolean.hpp>
 #include <mote/geometry/box.hpp>
 #include <mote/geometry/concept.hpp>
+#include <mote/geometry/cut.hpp>
 #include <mote/geometry/halfspace.hpp>
 #include <mote/geometry/seeds.hpp>
+#include <mote/grid/block_index.hpp>
+#include <mote/grid/blocks.hpp>
 #include <mote/grid/cartesian.hpp>
+#include <mote/grid/domain.hpp>
 #include <mote/heat/adiabatic.hpp>
 #include <mote/heat/concept.hpp>
 #include <mote/heat/none.hpp>
 #include <mote/load/body_force.hpp>
 #include <mote/material.hpp>
 #include <mote/observe/file.hpp>
+#include <mote/observe/fraction_window.hpp>
+#include <mote/observe/void_component.hpp>
 #include <mote/observe/vtk.hpp>
 #include <mote/particles/particles.hpp>
+#include <mote/passes/body.hpp>
+#include <mote/passes/gather.hpp>
+#include <mote/passes/grid_update.hpp>
+#include <mote/passes/phases.hpp>
+#include <mote/passes/scatter.hpp>
+#include <mote/passes/sort.hpp>
+#include <mote/passes/stencil.hpp>
+#include <mote/passes/tiles.hpp>
 #include <mote/shape/concept.hpp>
 #include <mote/shape/linear.hpp>
 #include <mote/shape/quadratic_bspline.hpp>
 #include <mote/sleep/never.hpp>
+#include <mote/solver.hpp>
 #include <mote/strength/concept.hpp>
 #include <mote/strength/elastic.hpp>
 #include <mote/strength/kinematics.hpp>

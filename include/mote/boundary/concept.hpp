@@ -12,11 +12,14 @@ namespace mote {
 ///
 /// B::side, B::at                    where: a plane through grid nodes, m
 /// B::odd(component, normal_axis)    whether that component changes sign in the mirror (and so vanishes on the plane)
+/// B::body_beyond                    whether the mirrored body is there (symmetry) or a mere device (wall): then its
+///                                   momentum does not count before the forces, and FLIP feels the wall
 template <class B>
 concept MirrorPlane = HasRole<B, role::Boundary> && requires(const B& b) {
   { b.side } -> std::convertible_to<Side>;
   { b.at } -> std::convertible_to<double>;
   { B::odd(0, 0) } -> std::convertible_to<bool>;
+  { B::body_beyond } -> std::convertible_to<bool>;
 };
 
 /// B::axis, B::from, B::to: what leaves at `to` comes in at `from`, m.

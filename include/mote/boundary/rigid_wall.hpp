@@ -11,6 +11,8 @@ namespace mote::boundary {
 /// All components are odd in the mirror. Zeroing nodes instead would put the wall of a wide kernel half a cell off.
 struct RigidWall {
   using role = mote::role::Boundary;
+  static constexpr bool body_beyond = false;
+
   Side side;
   double at = 0;  ///< m, on a grid node
 

@@ -9,6 +9,8 @@ namespace mote::boundary {
 /// A mirror: the normal velocity is odd, the tangential velocity even. No friction.
 struct Symmetry {
   using role = mote::role::Boundary;
+  static constexpr bool body_beyond = true;
+
   Side side;
   double at = 0;  ///< m, on a grid node
 

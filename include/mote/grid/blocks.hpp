@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <mote/core/aligned.hpp>
 #include <mote/core/pack.hpp>
 #include <mote/grid/block_index.hpp>
 
@@ -38,10 +39,10 @@ int local_index(const IVec<D>& node) {
 template <class T, int D>
 struct Blocks {
   BlockIndex<D> index;
-  std::vector<T> mass;        ///< kg
-  std::vector<T> velocity;    ///< m/s, after forces and boundaries
-  std::vector<T> previous;    ///< m/s, as the particles brought it, before the forces
-  std::vector<T> remapped;    ///< m/s, from the particles' new velocities; empty unless the update asks for it
+  AlignedVector<T> mass;        ///< kg
+  AlignedVector<T> velocity;    ///< m/s, after forces and boundaries
+  AlignedVector<T> previous;    ///< m/s, as the particles brought it, before the forces
+  AlignedVector<T> remapped;    ///< m/s, from the particles' new velocities; empty unless the update asks for it
 
   std::size_t nodes() const { return index.size() * std::size_t(block_nodes<D>); }
 

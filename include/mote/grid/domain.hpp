@@ -25,6 +25,7 @@ struct Plane {
   bool upper;
   std::int32_t node;
   std::array<bool, D> odd;  ///< per component: changes sign in the mirror
+  bool body_beyond;         ///< the mirrored body exists
   int part;                 ///< number among the solver's boundaries, for the ledger of impulses
 };
 
@@ -104,7 +105,8 @@ class Domain {
     check_axis(b.side.axis);
     auto& plane = planes_[b.side.axis][b.side.upper];
     require(!plane, "side ", detail::side_name(b.side), " has two boundaries; it takes one");
-    plane = Plane<D>{b.side.axis, b.side.upper, node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)), {}, part};
+    plane = Plane<D>{b.side.axis, b.side.upper, node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)), {}, B::body_beyond,
+                     part};
     for (int c = 0; c < D; ++c) plane->odd[std::size_t(c)] = B::odd(c, b.side.axis);
     part_of_plane_.push_back(part);
   }

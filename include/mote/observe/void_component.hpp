@@ -22,16 +22,15 @@ struct VoidSize {
 ///   void that splits the larger part is followed, and a void smaller than about a cell is not seen.
 /// - volume = sum of (1 - phi) x control volume over the component and its rim, the nodes at most 2 away along each
 ///   axis. The hats sum to one, so that this is exact where the material around is full. A rim node closer to another
-///   void, or to the space outside, counts there; at equal distance, half. Noise of phi in the rim enters, but moves
-///   volume between nodes and does not make it: what matters is only its flux through the rim's outer edge.
+///   void, or to the space outside, counts there; at equal distance, half. Noise of phi moves
+///   volume between nodes and does not make it: only what crosses the rim's outer edge matters.
 /// - A surface along a mesh row is where phi = 1/2, with two corrections. phi is not linear between nodes but, across
 ///   a plane, the integral of the hat: its inverse is interpolated, not phi. On a curved surface of curvatures
 ///   k1 + k2 the hats move phi = 1/2 by h^2 (k1 + k2)/12 inward: phi - (h^2/12) Laplacian(phi), Laplacian across the
 ///   row, takes that back. An extent is the longest connected piece of a row; it ends at planes, goes on in the mirror
 ///   image if there is one, and is at most a period.
 /// - Rows miss the thickest place, or the axis, by a part of a cell: extents are interpolated between rows such that
-///   (extent)^2 is quadratic (least squares over 3 x 3 rows), which is exact for ellipsoids. Where fewer rows exist:
-///   one row alone.
+///   (extent)^2 is quadratic (least squares over 3 x 3 rows, if there are), exact for ellipsoids.
 ///
 /// Cost: one look at each particle, a deposit for those near the last component; all if it outgrew that neighbourhood.
 /// Not thread safe: one object per thread. After an exception the last component is still known.
@@ -59,9 +58,7 @@ class VoidComponent {
   /// Throws InputError for columns of unequal length, NumericalError if the particles are scattered too far to mesh.
   template <class T>
   VoidSize measure(std::span<const ParticleColumns<T>> chunks) {
-    for (const auto& p : chunks)
-      require(p.y.size() == p.x.size() && p.z.size() == p.x.size() && p.volume.size() == p.x.size(),
-              "the columns of the particles have unequal lengths");
+    for (const auto& p : chunks) p.validate();
     if (open_) return opened();
     for (const bool all : {false, true}) {
       const NodeBox window = all ? phi_.body(chunks) : grown(box_, margin);
@@ -112,14 +109,8 @@ class VoidComponent {
       if (own_ > 0) break;
     }
     if (own_ == 0) return false;
-    first_ = starts_[own_ - 1];
-    last_ = starts_[own_];
-    found_ = {nodes_[first_], nodes_[first_]};
-    for (std::ptrdiff_t i = first_; i < last_; ++i)
-      for (int a = 0; a < 3; ++a) {
-        found_.lo[a] = std::min(found_.lo[a], nodes_[i][a]);
-        found_.hi[a] = std::max(found_.hi[a], nodes_[i][a]);
-      }
+    first_ = starts_[own_ - 1], last_ = starts_[own_];
+    found_ = box_around({nodes_.data() + first_, nodes_.data() + last_});
     return true;
   }
 
@@ -135,8 +126,7 @@ class VoidComponent {
     };
     for (visit(seed); next < nodes_.size(); ++next)
       for (int a = 0; a < 3; ++a)
-        for (const int step : {-1, 1}) {
-          Node c = nodes_[next];
+        for (Node c = nodes_[next]; const int step : {-1, 2}) {
           c[a] += step;
           visit(c);
         }
@@ -151,11 +141,6 @@ class VoidComponent {
       if (!phi_.upper_plane(a) && found_.hi[a] + gap > phi_.nodes().hi[a]) return false;
     }
     return true;
-  }
-
-  bool own(const Node& c) const {
-    const auto i = phi_.find(c);
-    return i >= 0 && label_[i] == own_;
   }
 
   // m^3, of the component and its rim.
@@ -219,8 +204,12 @@ class VoidComponent {
       if (b != a && phi_.upper_plane(b)) c[b] = phi_.period(b) - std::abs(phi_.period(b) - c[b]);
     }
     double longest = 0;
+    const auto own_at = [&](int i) {
+      c[a] = i;
+      const auto at = phi_.find(c);
+      return at >= 0 && label_[at] == own_;
+    };
     for (int i = found_.lo[a]; i <= found_.hi[a]; ++i) {
-      const auto own_at = [&](int at) { return c[a] = at, own(c); };
       if (!own_at(i) || (own_at(i - 1) && i > found_.lo[a])) continue;
       int j = i;
       while (own_at(j + 1) && j < found_.hi[a]) ++j;
@@ -234,12 +223,13 @@ class VoidComponent {
     return longest;
   }
 
-  // Quadratic through the squares of the 3 x 3 rows along a around c, by least squares, except that the value at c is
-  // the mean of the fit's and the row's own: the one alone is rough on stairs, the other on noise. Not ok: a row is
-  // nil.
+  // Least squares quadratic through the squares of the 3 x 3 rows along a around c; not ok if a row is nil.
   struct Quadratic {
     bool ok = true;
     double value = 0, slope[2] = {}, bend[2] = {};  // value + slope.t + bend.t^2, t in h along the two other axes
+    double own = 0;                                 // the square of the row at c itself
+    // At c; the fit alone is rough on stairs, the row alone on noise.
+    double centre() const { return (value + own) / 2; }
   };
   Quadratic fit(int a, const Node& c) const {
     Quadratic q;
@@ -250,7 +240,8 @@ class VoidComponent {
       at[a == 2 ? 1 : 2] += t[1];
       const double length = row(a, at), s = length * length;
       q.ok = q.ok && length > 0;
-      q.value += s * ((5 - 3 * t[0] * t[0] - 3 * t[1] * t[1]) / 18.0 + (i == 4 ? 0.5 : 0.0));
+      q.value += s * (5 - 3 * t[0] * t[0] - 3 * t[1] * t[1]) / 9;
+      if (i == 4) q.own = s;
       for (int k = 0; k < 2; ++k) {
         q.slope[k] += s * t[k] / 6;
         q.bend[k] += s * (3 * t[k] * t[k] - 2) / 6;
@@ -269,7 +260,7 @@ class VoidComponent {
       if (row(0, c) < 0.9 * longest) return;
       const Quadratic q = fit(0, c);
       if (!q.ok || q.value <= best) return;
-      top = best = q.value;
+      best = q.value, top = q.centre();
       for (int k = 0; k < 2; ++k)
         if (q.bend[k] < 0) top += std::min(q.slope[k] * q.slope[k] / (-4 * q.bend[k]), -q.bend[k]);
     });
@@ -279,16 +270,14 @@ class VoidComponent {
   // Row along z on the axis through the initial point, in h.
   double height() const {
     Node c = found_.lo;
-    double off[2];
-    for (int b = 0; b < 2; ++b) {
-      const double u = phi_.index(b, initial_[b]);
-      c[b] = int(std::lround(u));
-      off[b] = u - c[b];
-    }
+    for (int b = 0; b < 2; ++b) c[b] = int(std::lround(phi_.index(b, initial_[b])));
     const Quadratic q = fit(2, c);
     if (!q.ok) return row(2, c);
-    double squared = q.value;
-    for (int b = 0; b < 2; ++b) squared += off[b] * (q.slope[b] + off[b] * q.bend[b]);
+    double squared = q.centre();
+    for (int b = 0; b < 2; ++b) {
+      const double t = phi_.index(b, initial_[b]) - c[b];
+      squared += t * (q.slope[b] + t * q.bend[b]);
+    }
     return std::sqrt(std::max(squared, 0.0));
   }
 

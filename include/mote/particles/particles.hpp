@@ -136,7 +136,7 @@ class Particles<T, D, fields<Tags...>> {
       if (n == lanes) [[likely]]
         component<Tag>(value, c) = mote::read<Pack<T>>(data);
       else
-        component<Tag>(value, c) = Pack<T>([&](auto l) { return data[std::min(int(l), n - 1)]; });
+        component<Tag>(value, c) = Pack<T>([&](int l) { return data[std::min(l, n - 1)]; });
     }
     complete<Tag>(value);
   }

@@ -56,13 +56,25 @@ void for_each_pack(const Tile<D>& tile, const F& f) {
 
 /// Packs of components to one record per lane, and back.
 template <class T, int N>
-void to_records(const Pack<T> (&components)[N], T (*records)[N]) {
-  for (int c = 0; c < N; ++c)
-    for (int l = 0; l < lanes; ++l) records[l][c] = components[c][std::size_t(l)];
+[[gnu::always_inline]] inline void to_records(const Pack<T> (&components)[N], T (*records)[N]) {
+  if constexpr (N == lanes) {
+    Pack<T> rows[lanes];
+    transpose(components, rows);
+    for (int l = 0; l < lanes; ++l) write(rows[l], records[l]);
+  } else {
+    for (int c = 0; c < N; ++c)
+      for (int l = 0; l < lanes; ++l) records[l][c] = components[c][std::size_t(l)];
+  }
 }
 template <class T, int N>
-Pack<T> from_records(const T (*records)[N], int c) {
-  return Pack<T>([&](auto l) { return records[int(l)][c]; });
+[[gnu::always_inline]] inline void from_records(const T (*records)[N], Pack<T> (&components)[N]) {
+  if constexpr (N == lanes) {
+    Pack<T> rows[lanes];
+    for (int l = 0; l < lanes; ++l) rows[l] = read<Pack<T>>(records[l]);
+    transpose(rows, components);
+  } else {
+    for (int c = 0; c < N; ++c) components[c] = Pack<T>([&](int l) { return records[l][c]; });
+  }
 }
 
 }  // namespace mote::passes

@@ -42,36 +42,41 @@ void copy_nodes(const Tile<D>& tile, const std::vector<Link<D>>& links, const gr
   }
 }
 
-/// A pack's sums in registers, component by component.
+/// What the lanes of a pack gather, component by component.
 template <Task task, class Shape, class Transfer, class T, int D>
 struct PackSums {
   static constexpr int half = grid::node_width<D>, width = 2 * half;
   static constexpr bool axes = task != Task::velocity_and_remap || Transfer::affine;
-  alignas(64) T value[lanes][width];
-  alignas(64) T axis[D][lanes][width];
+  Pack<T> value[width];
+  Pack<T> axis[D][width];
 
   PackSums(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil, int n) {
     constexpr auto halves = Transfer::affine && task != Task::deform ? Halves::slope_moment : Halves::slope_slope;
+    alignas(64) T values[lanes][width];
+    alignas(64) T along[D][lanes][width];
     for (int l = 0; l < lanes; ++l) {
       const auto sum = gather<axes, halves>(nodes, box, stencil, std::min(l, n - 1));
-      write(sum.value, value[l]);
+      write(sum.value, values[l]);
       if constexpr (axes)
-        for (int a = 0; a < D; ++a) write(sum.axis[a], axis[a][l]);
+        for (int a = 0; a < D; ++a) write(sum.axis[a], along[a][l]);
     }
+    from_records(values, value);
+    if constexpr (axes)
+      for (int a = 0; a < D; ++a) from_records(along[a], axis[a]);
   }
 
   GridVelocity<Pack<T>, D> velocity(double spacing) const {
     GridVelocity<Pack<T>, D> g;
     for (int i = 0; i < D; ++i) {
-      g.pic[i] = from_records<T>(value, task == Task::deform ? half + i : i);
-      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = from_records<T>(value, half + i);
+      g.pic[i] = value[task == Task::deform ? half + i : i];
+      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = value[half + i];
     }
     if constexpr (Transfer::affine && task != Task::deform) {
       // the gradient stands in where the kernel's inertia is singular
       constexpr bool singular = Shape::inertia == 0;
       const T scale = T(1 / (singular ? spacing : Shape::inertia * spacing));
       for (int i = 0; i < D; ++i)
-        for (int a = 0; a < D; ++a) g.affine(i, a) = scale * from_records<T>(axis[a], singular ? i : half + i);
+        for (int a = 0; a < D; ++a) g.affine(i, a) = scale * axis[a][singular ? i : half + i];
     }
     return g;
   }
@@ -80,7 +85,7 @@ struct PackSums {
   Mat<Pack<T>, D> increment(double dt_over_h) const {
     Mat<Pack<T>, D> l;
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) l(i, a) = T(dt_over_h) * from_records<T>(axis[a], i);
+      for (int a = 0; a < D; ++a) l(i, a) = T(dt_over_h) * axis[a][i];
     return l;
   }
 };
@@ -115,7 +120,7 @@ void report(const B& body, const V& p, std::size_t first, int n, TileReport& out
   using std::sqrt;
   using T = Scalar<typename V::number>;
   const Pack<T> speed = sqrt(body.material.sound_speed2(p)) + norm(get<field::Velocity>(p));
-  out.max_speed = std::max(out.max_speed, double(std::experimental::hmax(speed)));
+  out.max_speed = std::max(out.max_speed, double(largest(speed)));
   const auto good = body.material.admissible(p);
   if (!all_of(good)) [[unlikely]]
     for (int l = n - 1; l >= 0; --l)

@@ -109,19 +109,22 @@ struct Images {
   struct Image {
     std::size_t node;
     std::array<bool, D> odd;
+    unsigned walls;  ///< planes without a body beyond them that lie between the node and the image
   };
   std::array<Image, 64> image;
   int count = 0;
   std::array<int, D> held;  ///< per component: the boundary part that flips it in some image or on its plane, or -1
   std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
+  std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
 
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>
   bool find(const IVec<D>& node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
     held.fill(-1);
     zero.fill(false);
+    zero_by_symmetry.fill(false);
     count = 1;
-    image[0] = {blocks.find(node), {}};
+    image[0] = {blocks.find(node), {}, 0};
     IVec<D> at[64];
     at[0] = node;
     bool concerned = false;
@@ -137,6 +140,7 @@ struct Images {
           if (plane->odd[std::size_t(c)]) {
             if (held[std::size_t(c)] < 0) held[std::size_t(c)] = plane->part;
             zero[std::size_t(c)] |= depth == 0;
+            zero_by_symmetry[std::size_t(c)] |= depth == 0 && plane->body_beyond;
           }
         if (depth == 0) continue;
         for (int i = 0, before = count; i < before; ++i) {
@@ -145,7 +149,8 @@ struct Images {
           const std::size_t number = blocks.find(mirrored);
           if (number == blocks.none || blocks.mass[number] == T(0)) continue;
           at[count] = mirrored;
-          image[std::size_t(count)] = {number, image[std::size_t(i)].odd};
+          image[std::size_t(count)] = {number, image[std::size_t(i)].odd,
+                                       image[std::size_t(i)].walls ^ (plane->body_beyond ? 0u : 1u << (2 * a + end))};
           for (std::size_t c = 0; c < std::size_t(D); ++c)
             image[std::size_t(count)].odd[c] = image[std::size_t(i)].odd[c] != plane->odd[c];
           ++count;
@@ -162,16 +167,33 @@ struct Images {
 
   /// Mass-weighted mean of a node field over the images: the field's projection on what the planes allow.
   template <class T>
-  Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const std::vector<T>& field, T& mass) const {
+  Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass) const {
+    return mean_over(blocks, field, mass, zero, [](const Image&) { return true; });
+  }
+
+  /// The same over symmetry planes only, seen from image k: what a whole body would have on its node.
+  template <class T>
+  Vec<T, D> symmetric_mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, int k) const {
+    const Image& from = image[std::size_t(k)];
+    T mass;
+    return reflect(mean_over(blocks, field, mass, zero_by_symmetry, [&](const Image& i) { return i.walls == from.walls; }),
+                   from);
+  }
+
+ private:
+  template <class T, class Counts>
+  Vec<T, D> mean_over(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass,
+                      const std::array<bool, D>& vanishes, const Counts& counts) const {
     Vec<T, D> momentum{};
     mass = T(0);
     for (int i = 0; i < count; ++i) {
       const Image& im = image[std::size_t(i)];
+      if (!counts(im)) continue;
       mass += blocks.mass[im.node];
       momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node), im);
     }
     for (int c = 0; c < D; ++c)
-      momentum[c] = zero[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
+      momentum[c] = vanishes[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
     return momentum;
   }
 };
@@ -179,33 +201,36 @@ struct Images {
 /// Holds the velocities of a block's nodes, and of their images, to the planes; books impulses and losses.
 ///
 /// A virtual mirrored body shares its momentum with the real one, node by node: v = (p + S p')/(m + m'), which is the
-/// Galerkin reduction to velocity fields that the mirror maps on themselves. Momentum before the forces stays as the
-/// particles brought it, so that FLIP feels the wall.
+/// Galerkin reduction to velocity fields that the mirror maps on themselves. The velocity before the forces is that of
+/// the whole body at a symmetry plane, and as the particles brought it at a wall, so that FLIP feels the wall.
+/// \param kept the part of its own velocity that a particle keeps (Transfer)
 template <class T, int D>
-GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                             int support) {
+GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support,
+                             double kept) {
   GridLedger<D> ledger;
   Images<D> images;
+  const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
     if (!images.find(blocks.coordinates(node), domain, blocks, support)) continue;
     T mass;
     const Vec<T, D> v = images.mean(blocks, blocks.velocity, mass), old = images.mean(blocks, blocks.previous, mass);
-    const double old_energy = 0.5 * double(mass * dot(old, old));
-    ledger.work += 0.5 * double(mass * dot(v, v)) - old_energy;
-    ledger.wall_loss -= old_energy;
+    ledger.work += energy(mass, v) - energy(mass, old);
+    ledger.wall_loss -= energy(mass, old);
+    Vec<T, D> whole[64];
+    for (int k = 0; k < images.count; ++k) whole[k] = images.symmetric_mean(blocks, blocks.previous, k);
     for (int k = 0; k < images.count; ++k) {
       const auto& image = images.image[std::size_t(k)];
       const T m = blocks.mass[image.node];
       const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), image.node), held = images.reflect(v, image),
                       before = node_vector<T, D>(blocks.previous.data(), image.node);
+      const Vec<T, D> push = m * (held - raw - T(kept) * (whole[k] - before));
       for (std::size_t c = 0; c < std::size_t(D); ++c)
-        if (images.held[c] >= 0)
-          ledger.impulse[std::size_t(images.held[c])][int(c)] += double(m * (held[int(c)] - raw[int(c)]));
-      const double energy = 0.5 * double(m * dot(before, before));
-      ledger.wall_loss += energy;
-      ledger.work -= 0.5 * double(m * dot(raw, raw)) - energy;
+        if (images.held[c] >= 0) ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
+      ledger.wall_loss += energy(m, whole[k]);
+      ledger.work -= energy(m, raw) - energy(m, before);
       set_node_vector(blocks.velocity.data(), image.node, held);
+      set_node_vector(blocks.previous.data(), image.node, whole[k]);
     }
   }
   return ledger;

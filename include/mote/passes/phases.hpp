@@ -28,7 +28,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   Tiling<D> tiling_;
   Linker<T, D> linker_;
   grid::Blocks<T, D> blocks_;
-  std::vector<T> accumulators_;
+  AlignedVector<T> accumulators_;
   std::vector<TileReport> reports_;
   std::vector<GridLedger<D>> block_ledgers_;
   GridLedger<D> ledger_;
@@ -73,7 +73,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     });
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
       block_ledgers_[blocks_.index.size() + i] =
-          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
+          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept());
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
   }

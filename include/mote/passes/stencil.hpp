@@ -35,16 +35,11 @@ struct Stencil {
   void set(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
     for (int l = 0; l < lanes; ++l) node[l] = 0;
     for (int a = 0; a < D; ++a) {
-      using std::max;
-      using std::min;
       const auto u = std::size_t(a);
-      // inside the box by construction; the clamp keeps a last-bit difference between two inlinings from leaving it
-      const Pack<T> base = min(max(Pack<T>(floor(xi[a] - T(Shape::first))), Pack<T>(T(box.lo[u]))),
-                               Pack<T>(T(box.lo[u] + box.extent[u] - support)));
+      const Pack<T> base = inside(floor(Pack<T>(xi[a] - T(Shape::first)), relative[a]), box.lo[u],
+                                  box.lo[u] + box.extent[u] - support, relative[a]);
       const Pack<T> f = xi[a] - base;
-      locate(base, a);
-      for (int l = 0; l < lanes; ++l)
-        node[l] += (relative[a][l] - box.lo[std::size_t(a)]) * box.stride[std::size_t(a)];
+      for (int l = 0; l < lanes; ++l) node[l] += (relative[a][l] - box.lo[u]) * box.stride[u];
       Pack<T> w[support], d[support];
       Shape::values(f, w);
       if constexpr (Slopes) Shape::slopes(f, d);
@@ -58,26 +53,27 @@ struct Stencil {
 
   /// The lowest nodes only.
   void locate(const Vec<Pack<T>, D>& xi) {
-    for (int a = 0; a < D; ++a) locate(floor(xi[a] - T(Shape::first)), a);
+    for (int a = 0; a < D; ++a) floor(Pack<T>(xi[a] - T(Shape::first)), relative[a]);
   }
 
   /// Axis-wise weights of one particle for both halves.
   template <Halves H>
-  Record axis_weight(int a, int i, int l) const {
+  [[gnu::always_inline]] Record axis_weight(int a, int i, int l) const {
     if constexpr (H == Halves::slope_slope) {
       return Record(slope[a][i][l]);
     } else {
       constexpr bool slope_first = H == Halves::slope_moment;
-      const Record number([](auto k) { return T(int(k)); });
-      return select(number < T(grid::node_width<D>), Record(slope_first ? slope[a][i][l] : moment[a][i][l]),
-                    Record(slope_first ? moment[a][i][l] : slope[a][i][l]));
+      const T first = slope_first ? slope[a][i][l] : moment[a][i][l], second = slope_first ? moment[a][i][l] : slope[a][i][l];
+      return mote::halves<T, width>(first, second);
     }
   }
 
  private:
-  void locate(const Pack<T>& base, int a) {
-    const auto whole = std::experimental::static_simd_cast<Simd<int, lanes>>(base);
-    whole.copy_to(relative[a], std::experimental::element_aligned);
+  /// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of the
+  /// same expression, or a column that was written from outside, from reaching beyond it.
+  static Pack<T> inside(const Pack<T>& base, int lo, int hi, int (&whole)[lanes]) {
+    for (int& w : whole) w = std::clamp(w, lo, hi);
+    return max(min(base, Pack<T>(hi)), Pack<T>(lo));
   }
 };
 
@@ -100,7 +96,7 @@ auto gather(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s
     w[k] = Record(s.value[z][k][l]);
     if constexpr (Axes) u[k] = s.template axis_weight<H>(z, k, l);
   }
-  const auto row = [&](const T* at, Record& value, Record& along) {
+  const auto row = [&](const T* at, Record& value, Record& along) __attribute__((always_inline)) {
     Record node = read<Record>(at);
     value = w[0] * node;
     if constexpr (Axes) along = u[0] * node;
@@ -113,7 +109,7 @@ auto gather(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s
   if constexpr (D == 1) {
     row(first, sum.value, sum.axis[0]);
   } else {
-    const auto plane = [&](const T* at, Record& value, Record& along_y, Record& along_z) {
+    const auto plane = [&](const T* at, Record& value, Record& along_y, Record& along_z) __attribute__((always_inline)) {
       constexpr int y = D - 2;
       value = along_y = along_z = Record(0);
       for (int j = 0; j < n; ++j) {
@@ -158,14 +154,14 @@ void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int
     w[k] = Record(s.value[z][k][l]);
     u[k] = s.template axis_weight<H>(z, k, l);
   }
-  const auto row = [&](T* at, const Record& value_xy, const Record& along) {
+  const auto row = [&](T* at, const Record& value_xy, const Record& along) __attribute__((always_inline)) {
     for (int k = 0; k < n; ++k)
       write(Record(read<Record>(at + k * width) + (w[k] * value_xy + u[k] * along)), at + k * width);
   };
   if constexpr (D == 1) {
     row(first, value, axis[0]);
   } else {
-    const auto plane = [&](T* at, const Record& value_x, const Record& along_y, const Record& along_z) {
+    const auto plane = [&](T* at, const Record& value_x, const Record& along_y, const Record& along_z) __attribute__((always_inline)) {
       constexpr int y = D - 2;
       for (int j = 0; j < n; ++j) {
         const Record wj(s.value[y][j][l]);

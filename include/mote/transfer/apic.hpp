@@ -18,6 +18,8 @@ struct Apic {
   static constexpr bool affine = true;
   static constexpr bool increment = false;
 
+  double kept() const { return 0; }
+
   template <class V, class T, int D>
   void update(V& values, const GridVelocity<T, D>& grid) const {
     get<field::Velocity>(values) = grid.pic;

@@ -19,10 +19,12 @@ struct GridVelocity {
 };
 
 /// X::affine       whether particles carry field::Affine and momentum m w (v + C (x_i - x_p)) goes to the grid
-/// X::increment    whether the grid keeps its velocity from before the forces
+/// X::increment    whether particles take the grid's change of velocity
+/// x.kept()        the part of its own velocity that a particle keeps, 0 to 1
 /// x.update(values, grid)    sets the particle's field::Velocity (and field::Affine)
 template <class X>
-concept Transfer = HasRole<X, role::Transfer> && requires {
+concept Transfer = HasRole<X, role::Transfer> && requires(const X& x) {
+  { x.kept() } -> std::convertible_to<double>;
   { X::affine } -> std::convertible_to<bool>;
   { X::increment } -> std::convertible_to<bool>;
 };

@@ -19,6 +19,8 @@ struct Flip {
 
   void validate() const { require(blend >= 0 && blend <= 1, "the FLIP blend is ", blend, "; it must be in [0, 1]"); }
 
+  double kept() const { return blend; }
+
   template <class V, class T, int D>
   void update(V& values, const GridVelocity<T, D>& grid) const {
     auto& v = get<field::Velocity>(values);

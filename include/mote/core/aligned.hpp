@@ -1,0 +1,35 @@
+/// \file
+/// Vectors that start at a cache line.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace mote {
+
+namespace detail {
+
+template <class T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t line{64};
+
+  CacheLineAllocator() = default;
+  template <class U>
+  CacheLineAllocator(const CacheLineAllocator<U>&) {}
+
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), line)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, line); }
+
+  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
+}  // namespace detail
+
+/// A vector whose data starts at a cache line, so that a node's record is loaded and stored in one piece: a store that
+/// crosses a line is not forwarded to the next load, and the scatter would wait for it.
+template <class T>
+using AlignedVector = std::vector<T, detail::CacheLineAllocator<T>>;
+
+}  // namespace mote

@@ -1,0 +1,94 @@
+#!/usr/bin/env bash
+# Builds everything with g++ and with clang++-16, warnings as errors, and runs the tests of both.
+#
+#   tests/run_tests.sh [--gcc-only] [--label LABEL] [ctest arguments...]
+#
+#   --gcc-only      leave clang out
+#   --label LABEL   run the tests of this label only; without it, all but those of the label slow
+#
+# Installs what is missing with apt. The last line is "N passed, N failed" over both compilers; a build that fails counts
+# as one failure. Exit code: 0 all passed, 1 something failed, 2 packages are missing.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+presets=(gcc-release clang-release)
+packages=(g++ cmake ninja-build libeigen3-dev catch2 librapidcheck-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
+          clang-16)
+selection=(-LE '^slow$')
+while [ $# -gt 0 ]; do
+  case $1 in
+    --gcc-only) presets=(gcc-release); unset 'packages[-1]' ;;
+    --label) selection=(-L "^${2:?--label needs a label}\$"); shift ;;
+    -h | --help) sed -n '2,/^set/{/^#/p}' "${BASH_SOURCE[0]}"; exit 0 ;;
+    *) break ;;
+  esac
+  shift
+done
+
+# Leaves the packages that are not installed in `missing`.
+find_missing() {
+  missing=()
+  local package
+  for package in "${packages[@]}"; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+}
+
+install_missing() {
+  find_missing
+  [ ${#missing[@]} -eq 0 ] && return
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    if ! sudo -n true 2>/dev/null; then
+      echo "missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
+      exit 2
+    fi
+    as_root=(sudo -n)
+  fi
+  echo "installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+  find_missing
+  if [ ${#missing[@]} -gt 0 ]; then
+    echo "apt could not install: ${missing[*]}" >&2
+    exit 2
+  fi
+}
+
+passed=0
+failed=0
+
+# run PRESET [ctest arguments...]
+run() {
+  local preset=$1 log=build/$1/ctest.log
+  shift
+  echo "== $preset: building"
+  if ! cmake --preset "$preset" >build/configure.log 2>&1; then
+    cat build/configure.log
+    failed=$((failed + 1))
+    return
+  fi
+  # -k 0: build what can be built, so that one broken file does not hide the other tests
+  if ! cmake --build "build/$preset" -j2 --target all all_verify_interface_header_sets -- -k 0 --quiet; then
+    echo "== $preset: the build failed"
+    failed=$((failed + 1))
+  fi
+  echo "== $preset: testing"
+  ctest --test-dir "build/$preset" -j2 --output-on-failure --no-tests=error "${selection[@]}" "$@" | tee "$log"
+  local summary='^[0-9]+% tests passed, ([0-9]+) tests failed out of ([0-9]+)$'
+  if [[ $(grep -E "$summary" "$log") =~ $summary ]]; then
+    failed=$((failed + BASH_REMATCH[1]))
+    passed=$((passed + BASH_REMATCH[2] - BASH_REMATCH[1]))
+  else
+    echo "== $preset: no test ran"
+    failed=$((failed + 1))
+  fi
+}
+
+install_missing
+mkdir -p build
+for preset in "${presets[@]}"; do
+  run "$preset" "$@"
+done
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]

@@ -1,0 +1,3 @@
+#include <mote/mote.hpp>
+
+const char* version_seen_by_other() { return mote::version; }
