@@ -20,21 +20,24 @@ struct Fill {
   std::uint64_t seed = 0;    ///< of the jitter
 };
 
-/// Appends the particles of a region to a body. \return how many
+/// Appends the particles of a region to a body; what lies beyond the domain's boundaries is left out. A region that
+/// reaches across a symmetry plane so gives exactly a part of the whole body. \return how many
 template <class T, class B, class R, class M, int D>
 std::size_t append_fill(B& body, const R& region, const M& material, const Fill<D>& how,
                         const passes::Frame<T, D>& frame, const grid::Domain<D>& domain, std::size_t next_id) {
   static_assert(R::dimension == D, "mote: the region and the grid differ in dimension");
-  const auto seeds = geometry::seeds(region, geometry::Lattice<D>{frame.spacing, how.per_axis, frame.origin},
+  auto seeds = geometry::seeds(region, geometry::Lattice<D>{frame.spacing, how.per_axis, frame.origin},
                                      {.method = how.method, .jitter = how.jitter, .seed = how.seed});
+  std::erase_if(seeds, [&](const auto& s) {
+    for (int a = 0; a < D; ++a)
+      if (!domain.contains(a, s.position[a])) return true;
+    return false;
+  });
+  require(!seeds.empty(), "a region to fill lies wholly beyond the boundaries of the domain");
   auto& particles = body.particles;
   const std::size_t first = particles.size();
   require(next_id + seeds.size() < std::numeric_limits<std::uint32_t>::max(), "a fill of ", seeds.size(),
           " particles makes more than the 4,294,967,294 that a solver can number");
-  for (const auto& s : seeds)
-    for (int a = 0; a < D; ++a)
-      require(domain.contains(a, s.position[a]), "a region to fill reaches ", grid::detail::axis_name(a), " = ",
-              s.position[a], " m, beyond the boundary of the domain on that axis");
   particles.resize(first + seeds.size());
   Values<T, D, particle_fields_of<M>> at_rest;
   material.initialise(at_rest);
