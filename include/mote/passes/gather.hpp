@@ -130,7 +130,7 @@ void report(const B& body, const V& p, std::size_t first, int n, TileReport& out
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
 /// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
 template <Task task, class Shape, class Transfer, class B, class T, int D>
-TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const std::vector<Link<D>>& links,
+[[gnu::flatten]] TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const std::vector<Link<D>>& links,
                        const grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, double dt, T* accumulators) {
   constexpr int width = 2 * grid::node_width<D>;
   constexpr bool moves = task != Task::velocity_and_remap, takes_velocity = task != Task::deform;
@@ -140,11 +140,12 @@ TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const s
   if constexpr (!moves) std::fill_n(accumulators + tile.buffer * width, box.size * width, T(0));
   TileReport result;
   Range<D> range;
-  using Motion = union_of<fields<field::Position, field::Velocity>, particle_fields_of<Transfer>>;
-  using Changed = std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
-  using Written = union_of<Changed, std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>>;
+  using Deforms = std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
+  using Moves = std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>;
+  using Written = union_of<Deforms, Moves>;
+  using Mass = std::conditional_t<moves, fields<>, fields<field::Mass>>;
   for_each_pack(tile, [&](std::size_t first, int n) {
-    Values<Pack<T>, D, union_of<Motion, fields<field::Mass>, particle_fields_of<typename B::Material>>> p;
+    Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Mass, Written>> p;
     body.particles.load(first, n, p);
     Stencil<T, D, Shape> stencil;
     stencil.template set<true, Transfer::affine && takes_velocity>(frame.in_cells(get<field::Position>(p), tile.block), box);
@@ -161,7 +162,7 @@ TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const s
     } else {
       Pack<T> value[width], axis[D][width];
       momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
-      scatter_pack<Transfer::affine ? Halves::moment_slope : Halves::slope_slope>(accumulators + tile.buffer * width, box,
+      scatter_pack<Transfer::affine, Transfer::affine ? Halves::moment_slope : Halves::slope_slope>(accumulators + tile.buffer * width, box,
                                                                                 stencil, n, value, axis);
     }
     body.particles.store(first, n, p, Written{});
@@ -172,7 +173,7 @@ TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const s
 
 /// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.
 template <class Shape, class B, class T, int D>
-TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
+[[gnu::flatten]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
   TileReport result;
   Range<D> range;
   for_each_pack(tile, [&](std::size_t first, int n) {

@@ -33,26 +33,32 @@ void momentum_records(const V& p, double spacing, Pack<T> (&value)[2 * grid::nod
   }
 }
 
-/// Adds the records of a pack's n particles to the nodes of the tile's box.
-template <Halves H, class T, int D, class Shape>
+/// Adds the records of a pack's n particles to the nodes of the tile's box; without Axes, their values only.
+template <bool Axes, Halves H, class T, int D, class Shape>
 void scatter_pack(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil, int n,
                   const Pack<T> (&value)[2 * grid::node_width<D>], const Pack<T> (&axis)[D][2 * grid::node_width<D>]) {
   using Record = typename Stencil<T, D, Shape>::Record;
   Coefficients<T, D> c;
   to_records(value, c.value);
-  for (int a = 0; a < D; ++a) to_records(axis[a], c.axis[a]);
+  if constexpr (Axes)
+    for (int a = 0; a < D; ++a) to_records(axis[a], c.axis[a]);
   for (int l = 0; l < n; ++l) {
     Record along[D];
-    for (int a = 0; a < D; ++a) along[a] = read<Record>(c.axis[a][l]);
-    scatter<H>(nodes, box, stencil, l, read<Record>(c.value[l]), along);
+    if constexpr (Axes)
+      for (int a = 0; a < D; ++a) along[a] = read<Record>(c.axis[a][l]);
+    else
+      for (auto& none : along) none = Record(0);
+    scatter<Axes, H>(nodes, box, stencil, l, read<Record>(c.value[l]), along);
   }
 }
 
 /// m_i = sum w m, p_i = sum w m (v + C (x_i - x_p)), f_i = -sum V sigma grad w for one tile.
 ///
 /// Records of the tile's nodes: [m, p | f].
+///
+/// Flattened, like the other passes over tiles: a pack that is handed over in memory costs more than what is done to it.
 template <class Shape, class Transfer, class B, class T, int D>
-void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame, T* accumulators) {
+[[gnu::flatten]] void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame, T* accumulators) {
   constexpr int width = 2 * grid::node_width<D>;
   constexpr auto halves = Transfer::affine ? Halves::moment_slope : Halves::slope_slope;
   const NodeBox<D> box(tile, Shape::support);
@@ -72,7 +78,7 @@ void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame, 
                                   T(-1 / (body.material.rho0() * frame.spacing));
     for (int a = 0; a < D; ++a)
       for (int i = 0; i < D; ++i) axis[a][grid::node_width<D> + i] = volume_over_h * stress(i, a);
-    scatter_pack<halves>(nodes, box, stencil, n, value, axis);
+    scatter_pack<true, halves>(nodes, box, stencil, n, value, axis);
   });
 }
 

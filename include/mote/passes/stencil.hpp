@@ -86,7 +86,7 @@ struct Gathered {
 
 /// Sums over the nodes of particle l: sum-factorised, last axis first. `nodes` points at the tile's box.
 template <bool Axes, Halves H, class T, int D, class Shape>
-auto gather(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l) {
+[[gnu::always_inline]] inline auto gather(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l) {
   using Record = typename Stencil<T, D, Shape>::Record;
   constexpr int n = Shape::support, width = Stencil<T, D, Shape>::width, z = D - 1;
   Gathered<Record, D> sum{};
@@ -143,29 +143,34 @@ auto gather(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s
   return sum;
 }
 
-/// Adds to the nodes of particle l: value weights times `value` plus, per axis, axis-wise weights times axis[a].
-template <Halves H, class T, int D, class Shape, class Record>
-void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l, const Record& value,
+/// Adds to the nodes of particle l: value weights times `value` plus (with Axes), per axis, axis-wise weights times axis[a].
+template <bool Axes, Halves H, class T, int D, class Shape, class Record>
+[[gnu::always_inline]] inline void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l, const Record& value,
              const Record (&axis)[D]) {
   constexpr int n = Shape::support, width = int(Record::size()), z = D - 1;
   T* first = nodes + std::ptrdiff_t(s.node[l]) * width;
   Record w[n], u[n];
   for (int k = 0; k < n; ++k) {
     w[k] = Record(s.value[z][k][l]);
-    u[k] = s.template axis_weight<H>(z, k, l);
+    if constexpr (Axes) u[k] = s.template axis_weight<H>(z, k, l);
   }
+  const auto add = [&](Record sum, const Record& more) __attribute__((always_inline)) {
+    if constexpr (Axes) sum += more;
+    return sum;
+  };
   const auto row = [&](T* at, const Record& value_xy, const Record& along) __attribute__((always_inline)) {
     for (int k = 0; k < n; ++k)
-      write(Record(read<Record>(at + k * width) + (w[k] * value_xy + u[k] * along)), at + k * width);
+      write(Record(read<Record>(at + k * width) + add(w[k] * value_xy, u[k] * along)), at + k * width);
   };
   if constexpr (D == 1) {
     row(first, value, axis[0]);
   } else {
-    const auto plane = [&](T* at, const Record& value_x, const Record& along_y, const Record& along_z) __attribute__((always_inline)) {
-      constexpr int y = D - 2;
+    constexpr int y = D - 2;
+    const auto plane = [&](T* at, const Record& value_x, const Record& along_y, const Record& along_z)
+                           __attribute__((always_inline)) {
       for (int j = 0; j < n; ++j) {
         const Record wj(s.value[y][j][l]);
-        row(at + j * box.stride[std::size_t(y)] * width, wj * value_x + s.template axis_weight<H>(y, j, l) * along_y,
+        row(at + j * box.stride[std::size_t(y)] * width, add(wj * value_x, s.template axis_weight<H>(y, j, l) * along_y),
             wj * along_z);
       }
     };
@@ -174,8 +179,8 @@ void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int
     } else {
       for (int i = 0; i < n; ++i) {
         const Record wi(s.value[0][i][l]);
-        plane(first + i * box.stride[0] * width, wi * value + s.template axis_weight<H>(0, i, l) * axis[0], wi * axis[1],
-              wi * axis[2]);
+        plane(first + i * box.stride[0] * width, add(wi * value, s.template axis_weight<H>(0, i, l) * axis[0]),
+              wi * axis[1], wi * axis[2]);
       }
     }
   }
