@@ -43,17 +43,27 @@ class Material {
   static constexpr int n = count_of<R, Parts...>;
 
   template <class V, class T>
-  static constexpr bool plastic_for =
-      !std::is_void_v<decltype(std::declval<const Strength&>().update(std::declval<V&>(), std::declval<Kinematics<T>>()))>;
+  static constexpr bool plastic_for() {
+    if constexpr (StrengthFor<Strength, V>)
+      return !std::is_void_v<decltype(std::declval<const Strength&>().update(std::declval<V&>(), std::declval<Kinematics<T>>()))>;
+    else
+      return false;
+  }
 
   using base_fields = union_of<fields<field::VolumeRatio>, particle_fields_of<Eos>, particle_fields_of<Strength>,
                                particle_fields_of<Heat>>;
+  using Example = Values<double, 3, base_fields>;
+
+  static_assert(mote::Eos<Eos> || std::is_same_v<Eos, detail::MissingEos>,
+                "mote: the equation of state lacks a member; eos/concept.hpp lists them");
+  static_assert(StrengthFor<Strength, Example>, "mote: the strength lacks a member; strength/concept.hpp lists them");
+  static_assert(HeatFor<Heat, Example, Eos>, "mote: the heat policy lacks a member; heat/concept.hpp lists them");
 
  public:
   using role = mote::role::Material;
 
   /// Whether the strength dissipates; then the specific plastic work is stored.
-  static constexpr bool plastic = plastic_for<Values<double, 3, base_fields>, double>;
+  static constexpr bool plastic = plastic_for<Example, double>();
 
   using particle_fields =
       union_of<base_fields, std::conditional_t<plastic, fields<field::PlasticWork>, fields<>>>;

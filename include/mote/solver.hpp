@@ -3,16 +3,21 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <memory>
 
+#include <mote/boundary/concept.hpp>
 #include <mote/core/role.hpp>
+#include <mote/execution/concept.hpp>
 #include <mote/execution/serial.hpp>
 #include <mote/fill.hpp>
 #include <mote/material.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/sort.hpp>
+#include <mote/shape/concept.hpp>
 #include <mote/sleep/never.hpp>
+#include <mote/transfer/concept.hpp>
 #include <mote/update/usl.hpp>
 
 namespace mote {
@@ -33,6 +38,20 @@ template <class P>
 inline constexpr bool has_solver_role =
     has_any_role<P, role::Grid, role::Shape, role::Transfer, role::Update, role::Timestep, role::Execution, role::Sleep,
                  role::Boundary, role::Load, role::Material>;
+
+template <class Boundaries>
+inline constexpr bool are_boundaries = false;
+template <class... B>
+inline constexpr bool are_boundaries<std::tuple<B...>> = (Boundary<B> && ...);
+
+template <class L, int D>
+concept LoadIn = requires(const L& load, const Vec<double, D>& x) {
+  { load.acceleration(x, 0.0) } -> std::convertible_to<Vec<double, D>>;
+};
+template <class Loads, int D>
+inline constexpr bool are_loads = false;
+template <class... L, int D>
+inline constexpr bool are_loads<std::tuple<L...>, D> = (LoadIn<L, D> && ...);
 
 }  // namespace detail
 
@@ -59,6 +78,14 @@ class Solver {
   static_assert(!std::is_same_v<Transfer, detail::Missing>, "mote: no transfer given; add e.g. transfer::Apic{}");
   static_assert(!std::is_same_v<Timestep, detail::Missing>, "mote: no time step given; add e.g. timestep::Cfl{}");
   static_assert(std::tuple_size_v<Materials> > 0, "mote: no material given; add e.g. a Material{eos::..., strength::...}");
+  static_assert(mote::Shape<Shape> || std::is_same_v<Shape, detail::Missing>,
+                "mote: the shape function lacks a member; shape/concept.hpp lists them");
+  static_assert(mote::Transfer<Transfer> || std::is_same_v<Transfer, detail::Missing>,
+                "mote: the transfer lacks a member; transfer/concept.hpp lists them");
+  static_assert(mote::Execution<Execution>, "mote: the executor lacks a member; execution/concept.hpp lists them");
+  static_assert(detail::are_boundaries<Boundaries>, "mote: a boundary lacks a member; boundary/concept.hpp lists them");
+  static_assert(detail::are_loads<Loads, Grid::dimension>, "mote: a load does not fit the grid's dimension, or has no "
+                "acceleration(position, time)");
 
  public:
   static constexpr int dimension = Grid::dimension;
@@ -77,7 +104,7 @@ class Solver {
   passes::Sorter<D> sorter_;
   double time_ = 0, last_dt_ = 0;
   std::size_t steps_ = 0, sorts_ = 0, next_id_ = 0;
-  double first_dt_ = 0;
+  double first_dt_ = 0, seconds_ = 0;
   bool sorted_ = false, failed_ = false;
 
  public:
@@ -121,6 +148,7 @@ class Solver {
   double step(double limit = std::numeric_limits<double>::infinity()) {
     if (failed_) throw UsageError("mote: the solver failed in an earlier step and cannot go on");
     prepare();
+    const auto started = std::chrono::steady_clock::now();
     const double dt = next_dt(limit);
     failed_ = true;  // until the step is done
     phases_.begin(time_, dt);
@@ -131,6 +159,7 @@ class Solver {
     phases_.check(steps_);
     if (phases_.strayed()) sort();
     failed_ = false;
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return dt;
   }
 
@@ -157,6 +186,7 @@ class Solver {
   double time() const { return time_; }                  ///< s
   double last_dt() const { return last_dt_; }            ///< s
   std::size_t steps() const { return steps_; }
+  double seconds() const { return seconds_; }            ///< wall time spent in steps so far, s
   std::size_t sorts() const { return sorts_; }           ///< after one, particles have changed their places in the columns
   double spacing() const { return phases_.frame().spacing; }  ///< m
   std::size_t size() const { return phases_.size(); }    ///< particles of all bodies

@@ -61,12 +61,15 @@ struct MieGruneisen {
     const T q = T(1) - x;
     const T tension = T(0.5 * c0 * c0) * q * q;
     if (lambda == 0) return tension;
-    // int q/(1 - l q)^2 dq = [1/(1 - l q) + log(1 - l q) - 1] / l^2, which cancels badly for small l q: series there
+    // int q/(1 - l q)^2 dq = [1/(1 - l q) + log(1 - l q) - 1] / l^2, which cancels badly for small l q (with an error
+    // of round-off/(l q)^2): there its series, sum 2 k/(k + 1) (l q)^(k - 1), to 1e-13, or 1e-7 in single precision
+    const double seam = sizeof(Scalar<T>) < sizeof(double) ? 0.1 : 0.02;
     const T lq = T(lambda) * compression(q);
     const T d = T(1) - lq;
     const T closed = T(c0 * c0 / (lambda * lambda)) * (T(1) / d + log(d) - T(1));
-    const T series = tension * (T(1) + lq * (T(4.0 / 3) + lq * (T(1.5) + lq * T(1.6))));
-    return select(lq > T(1e-3), closed, series);
+    T series = T(16.0 / 9);
+    for (int k = 7; k > 0; --k) series = series * lq + T(2.0 * k / (k + 1));
+    return select(lq > T(seam), closed, tension * series);
   }
 
   /// Heat of the shock along the Hugoniot per unit of x, J/kg: -c0^2 lambda q^2/(1 - lambda q)^3, zero in tension.

@@ -22,16 +22,22 @@ struct Extent {
   enum Kind { free_, plane, periodic };  ///< periodic: both sides or none
   double from, to;
   Kind lower = free_, upper = free_;
-  bool mirrored = false;  ///< one plane is a symmetry plane through the void: measure the body and its mirror image
+  bool mirrored = false;  ///< the lower side is a symmetry plane through the void: measure its mirror image too
 };
 
-/// Columns of some particles: positions, m, and current volumes, m^3, all of the same length.
+/// Columns of some particles, all of the same length: positions, m, at most two cells beyond a periodic side, and
+/// current volumes, m^3, as volume, or as scale * volume * ratio (1/rho0, mass, J) where there is a ratio.
 template <class T>
 struct ParticleColumns {
-  std::span<const T> x, y, z, volume;
+  std::span<const T> x, y, z, volume, ratio = {};
+  double scale = 1;
 
+  double volume_of(std::size_t p) const {
+    return scale * double(volume[p]) * (ratio.empty() ? 1.0 : double(ratio[p]));
+  }
   void validate() const {
-    require(y.size() == x.size() && z.size() == x.size() && volume.size() == x.size(),
+    require(y.size() == x.size() && z.size() == x.size() && volume.size() == x.size() &&
+                (ratio.empty() || ratio.size() == x.size()),
             "the columns of the particles have unequal lengths");
   }
 };
@@ -84,8 +90,7 @@ class FractionWindow {
       require((e.lower == Extent::periodic) == (e.upper == Extent::periodic), "one side is periodic, the other not");
       require(e.lower == Extent::free_ || e.upper == Extent::free_ || std::abs(cells - period_[a]) < 1e-6,
               "the domain is ", cells, " cells long between two planes; it must be a whole number");
-      require(!e.mirrored || (e.lower == Extent::plane) != (e.upper == Extent::plane),
-              "a mirrored axis must have one plane, and it has two or none");
+      require(!e.mirrored || e.lower == Extent::plane, "a mirrored axis must have a plane at its lower side");
       origin_[a] = e.upper == Extent::plane ? e.to - period_[a] * h_ : e.from;
     }
   }
@@ -205,8 +210,11 @@ class FractionWindow {
     if (!periodic(a)) return {at(from), at(to), false};
     if (whole_[a] || to - from >= n) return {T(0), T(0), true};
     const double start = from - n * std::floor(from / n), end = start + (to - from);
-    if (end <= n) return {at(start), at(end), false};
-    return {at(end - n), at(start), true};
+    if (end > n) return {at(end - n), at(start), true};
+    constexpr double beyond = 2;  // particles up to so many cells beyond a side pass, since they stand for their images
+    if (start >= beyond && end <= n - beyond) return {at(start), at(end), false};
+    if (start < beyond) return {at(end), at(end > n - beyond ? end : n), true};
+    return {at(0), at(start), true};
   }
 
   template <class T>
@@ -226,7 +234,7 @@ class FractionWindow {
         }
         for (std::size_t i = 0; i < count; ++i)
           spread({double(x[chosen[i]]), double(y[chosen[i]]), double(z[chosen[i]])},
-                 double(p.volume[begin + chosen[i]]));
+                 p.volume_of(begin + chosen[i]));
       }
   }
 

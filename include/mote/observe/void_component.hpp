@@ -218,7 +218,7 @@ class VoidComponent {
       double length = j - i;
       if (!low) c[a] = i, length += beyond(c, a, -1);
       if (!high) c[a] = j, length += beyond(c, a, 1);
-      longest = std::max(longest, length * (e.mirrored && (low || high) ? 2 : 1));
+      longest = std::max(longest, length * (e.mirrored && low ? 2 : 1));
     }
     return longest;
   }

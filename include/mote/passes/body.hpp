@@ -28,7 +28,7 @@ struct Body {
 struct TileReport {
   static constexpr std::uint32_t fine = ~std::uint32_t(0);
   double max_speed = 0;            ///< max (c + |v|), m/s
-  std::uint32_t failed = fine;     ///< first particle that the equation of state does not cover
+  std::uint32_t failed = fine;     ///< first particle that is no number or beyond its equation of state
 };
 
 /// Where the nodes are.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include <mote/passes/scatter.hpp>
 
@@ -114,7 +115,7 @@ struct Range {
   }
 };
 
-/// Speed of the fastest signal, and the first particle that the equation of state does not cover.
+/// Speed of the fastest signal, and the first particle that is not a number or that the equation of state does not cover.
 template <class B, class V>
 void report(const B& body, const V& p, std::size_t first, int n, TileReport& out) {
   using std::sqrt;
@@ -122,9 +123,11 @@ void report(const B& body, const V& p, std::size_t first, int n, TileReport& out
   const Pack<T> speed = sqrt(body.material.sound_speed2(p)) + norm(get<field::Velocity>(p));
   out.max_speed = std::max(out.max_speed, double(largest(speed)));
   const auto good = body.material.admissible(p);
-  if (!all_of(good)) [[unlikely]]
+  const auto finite = speed < Pack<T>(std::numeric_limits<T>::infinity());
+  if (!all_of(good) || !all_of(finite)) [[unlikely]]
     for (int l = n - 1; l >= 0; --l)
-      if (!good[std::size_t(l)]) out.failed = std::min(out.failed, std::uint32_t(first) + std::uint32_t(l));
+      if (!good[std::size_t(l)] || !finite[std::size_t(l)])
+        out.failed = std::min(out.failed, std::uint32_t(first) + std::uint32_t(l));
 }
 
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the

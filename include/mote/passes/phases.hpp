@@ -122,7 +122,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     check(step);
   }
 
-  /// Throws NumericalError if a particle has left the range of its equation of state.
+  /// Throws NumericalError if a particle has left the range of its equation of state, or of numbers.
   void check(std::size_t step) const {
     for_each_body([&](const auto& body) {
       for (std::uint32_t t = body.tiles_begin; t < body.tiles_end; ++t)
@@ -212,9 +212,13 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
 
   template <class B>
   std::string describe(const B& body, std::size_t p, std::size_t step) const {
-    std::string where;
-    for (int a = 0; a < D; ++a) where += text(a ? ", " : "", body.particles.template column<field::Position>(a)[p]);
-    return text("particle ", body.particles.template column<field::Id>()[p], " at (", where, ") m, in step ", step);
+    return text("particle ", body.particles.template column<field::Id>()[p], " at (",
+                listed(body.particles.template get<field::Position>(p)), ") m, in step ", step);
+  }
+  static std::string listed(const Vec<T, D>& v) {
+    std::string all;
+    for (int a = 0; a < D; ++a) all += text(a ? ", " : "", v[a]);
+    return all;
   }
   template <class B>
   std::string describe_lost(const B& body, std::size_t p, const char* why, std::size_t step) const {
@@ -223,6 +227,10 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   }
   template <class B>
   std::string describe_failed(const B& body, std::size_t p, std::size_t step) const {
+    const Vec<T, D> v = body.particles.template get<field::Velocity>(p);
+    if (!std::isfinite(norm(v)))
+      return text("mote: ", describe(body, p, step), ", has the velocity (", listed(v),
+                  ") m/s. Try a smaller Courant number, update::Musl or transfer::Apic");
     return text("mote: ", describe(body, p, step), ", has V/V0 = ", body.particles.template column<field::VolumeRatio>()[p],
                 ", which its equation of state does not cover. Try a smaller Courant number, a finer grid or a lower speed");
   }

@@ -91,6 +91,49 @@ TEST_CASE("void: particles in several chunks, single precision, a symmetry plane
   CHECK(size.width / um == Approx(5).margin(0.05));
 }
 
+TEST_CASE("void: a quarter between symmetry planes is measured as the whole", "[void]") {
+  const auto part = fill({0, 0, 0}, {20, 20, 30}, 0.5, ball({0, 0, 10}, 5));
+  Extent cut = quarter;
+  cut.mirrored = true;
+  VoidComponent cavity(um, {cut, cut, half_free}, {0, 0, 10 * um});
+  const VoidSize size = cavity.measure(part.columns());
+  CHECK(um3(size.volume) == Approx(528).epsilon(1e-10));
+  CHECK(size.width / um == Approx(10).margin(0.1));
+  CHECK(size.height / um == Approx(10).margin(0.1));
+
+  Extent upper_only{-20 * um, 0, Extent::free_, Extent::plane, true};
+  CHECK_THROWS_AS(VoidComponent(um, {upper_only, cut, half_free}, {0, 0, 10 * um}), InputError);
+}
+
+TEST_CASE("void: volumes as mass, ratio and density", "[void]") {
+  const auto cloud = fill({-12, -12, 0}, {12, 12, 26}, 0.5, ball({0, 0, 12}, 5));
+  std::vector<double> mass(cloud.volume.size()), ratio(cloud.volume.size());
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    ratio[i] = 1 + 0.1 * double(i % 3);
+    mass[i] = 2700 * cloud.volume[i] / ratio[i];
+  }
+  const ParticleColumns<double> columns{cloud.x, cloud.y, cloud.z, mass, ratio, 1. / 2700};
+  VoidComponent plain(um, {cyclic(12), cyclic(12), half_free}, {0, 0, 12 * um}), made = plain;
+  CHECK(made.measure(columns).volume == Approx(plain.measure(cloud.columns()).volume).epsilon(1e-12));
+}
+
+TEST_CASE("void: particles up to a cell beyond a periodic side count in the period", "[void]") {
+  const double at = GENERATE(-12., -9.5, -7., 0., 5.5, 7., 9., 11.5);  // of the cavity, all over the period
+  const Inside one = ball({at, 0, 12}, 3), left = ball({at - 24, 0, 12}, 3), right = ball({at + 24, 0, 12}, 3);
+  auto cloud = fill({-12, -12, 0}, {12, 12, 26}, 0.5, [&](const auto& x) { return one(x) || left(x) || right(x); });
+  const std::array<Extent, 3> domain{cyclic(12), cyclic(12), half_free};
+  VoidComponent before(um, domain, {at * um, 0, 12 * um}), after = before;
+  const VoidSize size = before.measure(cloud.columns());
+  for (std::size_t i = 0; i < cloud.x.size(); ++i)
+    for (auto* x : {&cloud.x[i], &cloud.y[i]}) {
+      if (i % 2 && std::abs(*x) > 11 * um) *x -= std::copysign(24 * um, *x);
+    }
+  const VoidSize moved = after.measure(cloud.columns());
+  CHECK(moved.volume == Approx(size.volume).epsilon(1e-10));
+  CHECK(moved.width == Approx(size.width).epsilon(1e-9));
+  CHECK(moved.height == Approx(size.height).epsilon(1e-9));
+}
+
 TEST_CASE("void: ellipsoids anywhere in the cell", "[void]") {
   const Vec<double, 3> r = GENERATE(Vec<double, 3>{5, 5, 5}, Vec<double, 3>{7, 5, 4}, Vec<double, 3>{4, 4, 8});
   std::mt19937 random(3);

@@ -1,0 +1,34 @@
+/// \file
+/// The table of what was compiled.
+#include <algorithm>
+#include <mote/core/error.hpp>
+
+#include "result.hpp"
+
+namespace cavity {
+
+namespace {
+
+template <std::size_t... N>
+const Combination* find(const Options& o, const std::array<Combination, N>&... tables) {
+  const Combination* found = nullptr;
+  const auto look = [&](const Combination& c) {
+    if (c.shape == o.shape && c.transfer == o.transfer && c.update == o.update && c.precision == o.precision)
+      found = &c;
+  };
+  (std::for_each(tables.begin(), tables.end(), look), ...);
+  return found;
+}
+
+}  // namespace
+
+const Combination& find_combination(const Options& o) {
+  const auto* found = find(o, linear_flip, linear_apic, quadratic_flip, quadratic_apic, linear_flip_float,
+                           quadratic_apic_float);
+  if (found) return *found;
+  throw BadOption(mote::text("--precision ", to_string(o.precision), " is not available with --shape ",
+                             to_string(o.shape), " --transfer ", to_string(o.transfer), " --update ",
+                             to_string(o.update), "; it is with quadratic apic usl and linear flip musl"));
+}
+
+}  // namespace cavity

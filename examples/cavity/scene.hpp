@@ -1,0 +1,134 @@
+/// \file
+/// The scene: aluminium with a spherical cavity, launched off a rigid wall. Everything that mote is asked to do is here.
+#pragma once
+
+#include <filesystem>
+#include <mote/mote.hpp>
+#include <mote/observe/axis_profile.hpp>
+#include <mote/observe/frames.hpp>
+#include <mote/observe/history.hpp>
+#include <mote/observe/progress.hpp>
+
+#include "result.hpp"
+
+namespace cavity {
+
+inline constexpr double um = 1e-6, ns = 1e-9, mpa = 1e6;
+
+inline auto aluminium(const Options& o) {
+  return mote::Material{
+      mote::eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
+      mote::strength::VonMises{
+          .shear_modulus = 69e9 / (2 * (1 + 0.33)), .yield = o.yield * mpa, .hardening = o.hardening * mpa},
+      mote::heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
+}
+
+template <class T>
+T make_transfer(const Options& o) {
+  if constexpr (requires(T t) { t.blend; })
+    return T{.blend = o.flip_blend.value_or(1)};
+  else
+    return T{};
+}
+
+/// Fills the body. Of the quarter, fill() leaves out what lies beyond the symmetry planes.
+template <class Solver, class Material>
+void fill(Solver& solver, const Material& metal, const Options& o) {
+  namespace geometry = mote::geometry;
+  const double w = half_width * um;
+  const geometry::Box<3> block{.lower = {-w, -w, 0}, .upper = {w, w, height * um}};
+  const mote::Fill<3> how{.per_axis = o.per_axis,
+                    .velocity = {0.0, 0.0, o.speed},
+                    .method = o.fill == Fill::lattice ? geometry::Method::lattice : geometry::Method::fraction,
+                    .jitter = o.jitter,
+                    .seed = o.seed};
+  if (o.radius > 0)
+    solver.fill(block - geometry::Ball<3>{.centre = {0, 0, o.centre_z * um}, .radius = o.radius * um}, metal, how);
+  else
+    solver.fill(block, metal, how);
+}
+
+inline mote::observe::History make_history(const Options& o, const Voice& voice) {
+  const bool quarter = o.domain == Domain::quarter;
+  mote::observe::History history{.file = std::filesystem::path(o.out) / "history.csv",
+                                 .every = o.sample * ns,
+                                 .axis = mote::axis::z,
+                                 .copies = quarter ? 4 : 1,
+                                 .notice = voice.notice};
+  if (o.radius > 0)
+    history.cavity = mote::observe::Cavity{.centre = {0, 0, o.centre_z * um}, .mirrored = {quarter, quarter}};
+  return history;
+}
+
+/// Runs a filled solver with everything that watches it.
+template <class Solver>
+Result run(Solver& solver, const Options& o, const Voice& voice) {
+  using namespace mote;
+  const std::filesystem::path out = o.out;
+  const std::vector<int> mirror = o.domain == Domain::quarter ? std::vector{axis::x, axis::y} : std::vector<int>{};
+  auto history = make_history(o, voice);
+  observe::AxisProfile profile{.file = out / "axis.csv", .frames = o.frames};
+  observe::Vtp particles{.stem = out / "frames" / "particles", .frames = o.frames, .mirror = mirror};
+  observe::Vti nodes{.stem = out / "frames" / "grid", .frames = o.frames, .mirror = mirror};
+  observe::Progress progress{.sink = voice.progress, .seconds = voice.seconds};
+  Result result;
+  try {
+    solver.run({.until = o.until * ns}, history, profile, particles, nodes, progress);
+  } catch (const NumericalError& error) {
+    result.failure = error.what();
+    if (o.frames > 0) particles.end(solver);
+  }
+  result.particles = solver.size();
+  result.steps = solver.steps();
+  result.threads = solver.executor().concurrency();
+  result.step_seconds = solver.seconds();
+  if (!history.samples.empty()) result.first = history.samples.front(), result.last = history.samples.back();
+  return result;
+}
+
+/// Assembles a solver from these parts and the options, and runs it.
+template <class Shape, class Transfer, class Update, class T>
+Result simulate(const Options& o, const Voice& voice) {
+  using namespace mote;
+  const auto metal = aluminium(o);
+  const auto with = [&](const auto&... sides) {
+    Solver solver{grid::Cartesian<3, T>{.spacing = o.spacing * um},
+                  Shape{},
+                  make_transfer<Transfer>(o),
+                  Update{},
+                  timestep::Cfl{.courant = o.courant},
+                  execution::Threads{o.threads},
+                  boundary::RigidWall{.side = side::z_min, .at = 0},
+                  sides...,
+                  metal};
+    fill(solver, metal, o);
+    return run(solver, o, voice);
+  };
+  const double w = half_width * um;
+  if (o.domain == Domain::full)
+    return with(boundary::Periodic{.axis = axis::x, .from = -w, .to = w},
+                boundary::Periodic{.axis = axis::y, .from = -w, .to = w});
+  return with(boundary::Symmetry{.side = side::x_min, .at = 0}, boundary::Symmetry{.side = side::x_max, .at = w},
+              boundary::Symmetry{.side = side::y_min, .at = 0}, boundary::Symmetry{.side = side::y_max, .at = w});
+}
+
+/// Bytes of a particle's columns.
+template <class Shape, class Transfer, class T>
+constexpr int bytes_per_particle() {
+  using namespace mote;
+  using Any = decltype(Solver{grid::Cartesian<3, T>{}, Shape{}, Transfer{}, timestep::Cfl{}, aluminium(Options{})});
+  return Any::template bytes_per_particle<>;
+}
+
+/// An entry of the table in combinations.cpp: the words for the parts, and the parts.
+template <class S, class X, class U, class T>
+constexpr Combination combination(Shape shape, Transfer transfer, Update update) {
+  return {shape,
+          transfer,
+          update,
+          sizeof(T) == 4 ? Precision::single_ : Precision::double_,
+          bytes_per_particle<S, X, T>(),
+          &simulate<S, X, U, T>};
+}
+
+}  // namespace cavity

@@ -1,0 +1,295 @@
+/// \file
+/// Properties of every shape function: alone, in the passes' stencils, and with the mirror images beyond a plane.
+#include <rapidcheck.h>
+
+#include <limits>
+
+#include <mote/mote.hpp>
+
+#include "catch.hpp"
+
+namespace {
+
+using namespace mote;
+
+template <class S, class N>
+struct Kernel {
+  using Shape = S;
+  using number = N;
+};
+/// A new kernel is one more line.
+#define KERNELS                                                    \
+  (Kernel<shape::Linear, double>), (Kernel<shape::Linear, float>), \
+      (Kernel<shape::QuadraticBSpline, double>), (Kernel<shape::QuadraticBSpline, float>)
+
+/// Whether the gradient is continuous.
+template <class S>
+inline constexpr bool smooth = S::support > 2;
+
+template <class T>
+bool near(T a, double b, double size = 1) {
+  return std::abs(double(a) - b) <= 16 * double(std::numeric_limits<T>::epsilon()) * size;
+}
+
+/// A number in [0, 1], ends included.
+double unit() { return *rc::gen::inRange(0, (1 << 20) + 1) / double(1 << 20); }
+
+/// Weights and slopes at a place within the cell.
+template <class S, class T>
+struct At {
+  T f, w[S::support], d[S::support];
+  explicit At(double place) : f(T(S::first + place)) {
+    S::values(f, w);
+    S::slopes(f, d);
+  }
+  /// sum of g(i - f, w_i, d_i)
+  template <class G>
+  T sum(G g) const {
+    T total = 0;
+    for (int i = 0; i < S::support; ++i) total += g(T(i) - f, w[i], d[i]);
+    return total;
+  }
+};
+
+/// A tile that reaches as far as tiles do, with one pack of particles anywhere in it.
+template <class S, class T, int D>
+struct Scene {
+  static constexpr int half = grid::node_width<D>, width = 2 * half;
+  using Record = Simd<T, width>;
+  passes::NodeBox<D> box{tile(), S::support};
+  passes::Stencil<T, D, S> stencil;
+  Vec<Pack<T>, D> xi;
+  std::vector<T> nodes = std::vector<T>(std::size_t(box.size * width));
+
+  Scene() {
+    for (int a = 0; a < D; ++a)
+      for (int l = 0; l < lanes; ++l)
+        xi[a].set(l, T(S::first + *rc::gen::inRange(passes::lowest, passes::highest + 1) + unit() * (1 - 1e-6)));
+    stencil.template set<true, true>(xi, box);
+  }
+  static passes::Tile<D> tile() {
+    passes::Tile<D> t{};
+    t.lo.fill(passes::lowest);
+    t.hi.fill(passes::highest);
+    return t;
+  }
+  /// Coordinate of node n along axis a, in cells.
+  int coordinate(int n, int a) const {
+    const auto u = std::size_t(a);
+    return n / box.stride[u] % box.extent[u] + box.lo[u];
+  }
+  T& at(int node, int component) { return nodes[std::size_t(node * width + component)]; }
+  /// Both halves of each node: 1 and the coordinates.
+  void set_linear() {
+    for (int n = 0; n < box.size; ++n)
+      for (int part : {0, half}) {
+        at(n, part) = 1;
+        for (int a = 0; a < D; ++a) at(n, part + 1 + a) = T(coordinate(n, a));
+      }
+  }
+};
+
+/// Calls f(integral constant D) for D = 1, 2, 3.
+template <class F>
+void in_each_dimension(F f) {
+  f(std::integral_constant<int, 1>{});
+  f(std::integral_constant<int, 2>{});
+  f(std::integral_constant<int, 3>{});
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("shape: weights sum to one and are not negative", "[shape][property]", KERNELS) {
+  CHECK(rc::check([] {
+    const At<typename TestType::Shape, typename TestType::number> at(unit());
+    RC_ASSERT(near(at.sum([](auto, auto w, auto) { return w; }), 1));
+    for (auto w : at.w) RC_ASSERT(w >= 0);
+  }));
+}
+
+TEMPLATE_TEST_CASE("shape: slopes sum to zero", "[shape][property]", KERNELS) {
+  CHECK(rc::check([] {
+    const At<typename TestType::Shape, typename TestType::number> at(unit());
+    RC_ASSERT(near(at.sum([](auto, auto, auto d) { return d; }), 0));
+  }));
+}
+
+TEMPLATE_TEST_CASE("shape: a linear function is reproduced, and its slope", "[shape][property]", KERNELS) {
+  CHECK(rc::check([] {
+    const At<typename TestType::Shape, typename TestType::number> at(unit());
+    RC_ASSERT(near(at.sum([](auto r, auto w, auto) { return w * r; }), 0));
+    RC_ASSERT(near(at.sum([](auto r, auto, auto d) { return d * r; }), 1));
+  }));
+}
+
+TEMPLATE_TEST_CASE("shape: slopes are the derivatives of the weights", "[shape][property]", KERNELS) {
+  using S = typename TestType::Shape;
+  CHECK(rc::check([] {
+    const double step = 1e-4, f = 0.001 + 0.998 * unit();
+    const At<S, double> at(f), before(f - step), after(f + step);
+    for (int i = 0; i < S::support; ++i)
+      RC_ASSERT(std::abs((after.w[i] - before.w[i]) / (2 * step) - at.d[i]) < 1e-9);
+  }));
+}
+
+TEMPLATE_TEST_CASE("shape: no node beyond half the support is touched", "[shape][property]", KERNELS) {
+  using S = typename TestType::Shape;
+  CHECK(rc::check([] {
+    const At<S, typename TestType::number> at(unit());
+    for (int i = 0; i < S::support; ++i) RC_ASSERT(std::abs(i - at.f) <= 0.5 * S::support);
+  }));
+}
+
+TEMPLATE_TEST_CASE("shape: values, and slopes of smooth kernels, continue in the next cell", "[shape]", KERNELS) {
+  using S = typename TestType::Shape;
+  const At<S, typename TestType::number> end(1), begin(0);
+  CHECK(end.w[0] == 0);
+  CHECK(begin.w[S::support - 1] == 0);
+  for (int i = 1; i < S::support; ++i) {
+    CHECK(end.w[i] == begin.w[i - 1]);
+    if (smooth<S>) CHECK(end.d[i] == begin.d[i - 1]);
+  }
+  if (smooth<S>) CHECK(end.d[0] == 0);
+}
+
+TEMPLATE_TEST_CASE("shape: the inertia that a kernel states is the same everywhere", "[shape][property]", KERNELS) {
+  using S = typename TestType::Shape;
+  if (S::inertia == 0) return;
+  CHECK(rc::check([] {
+    const At<S, typename TestType::number> at(unit());
+    RC_ASSERT(near(at.sum([](auto r, auto w, auto) { return w * r * r; }), S::inertia));
+  }));
+}
+
+TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradient", "[shape][passes][property]", KERNELS) {
+  using T = typename TestType::number;
+  in_each_dimension([](auto d) {
+    constexpr int D = d;
+    CHECK(rc::check([] {
+      Scene<typename TestType::Shape, T, D> scene;
+      scene.set_linear();
+      for (int l = 0; l < lanes; ++l) {
+        const auto sum = passes::gather<true, passes::Halves::slope_slope>(scene.nodes.data(), scene.box, scene.stencil, l);
+        RC_ASSERT(near(sum.value[0], 1));
+        for (std::size_t a = 0; a < D; ++a) {
+          RC_ASSERT(near(sum.value[1 + a], scene.xi[int(a)][std::size_t(l)], 8));
+          RC_ASSERT(near(sum.axis[a][0], 0));
+          for (std::size_t b = 0; b < D; ++b) RC_ASSERT(near(sum.axis[a][1 + b], a == b, 8));
+        }
+      }
+    }));
+  });
+}
+
+TEMPLATE_TEST_CASE("stencil: first moments vanish and second moments are the inertia", "[shape][passes][property]", KERNELS) {
+  using S = typename TestType::Shape;
+  using T = typename TestType::number;
+  in_each_dimension([](auto d) {
+    constexpr int D = d;
+    CHECK(rc::check([] {
+      Scene<S, T, D> scene;
+      scene.set_linear();
+      for (int l = 0; l < lanes; ++l) {
+        const auto sum = passes::gather<true, passes::Halves::slope_moment>(scene.nodes.data(), scene.box, scene.stencil, l);
+        for (std::size_t a = 0; a < D; ++a) {
+          RC_ASSERT(near(sum.axis[a][scene.half], 0));
+          for (std::size_t b = 0; b < D; ++b)
+            if (a != b || S::inertia > 0) RC_ASSERT(near(sum.axis[a][scene.half + 1 + b], a == b ? S::inertia : 0, 8));
+        }
+      }
+    }));
+  });
+}
+
+TEMPLATE_TEST_CASE("stencil: scattering is the transpose of gathering", "[shape][passes][property]", KERNELS) {
+  using T = typename TestType::number;
+  in_each_dimension([](auto d) {
+    constexpr int D = d;
+    CHECK(rc::check([] {
+      using Here = Scene<typename TestType::Shape, T, D>;
+      constexpr auto halves = passes::Halves::moment_slope;
+      Here scene;
+      for (auto& n : scene.nodes) n = T(unit() - 0.5);
+      const auto sum = passes::gather<true, halves>(scene.nodes.data(), scene.box, scene.stencil, 3);
+      typename Here::Record value, axis[D];
+      const auto draw = [](int) { return T(unit() - 0.5); };
+      value = typename Here::Record(draw);
+      for (auto& a : axis) a = typename Here::Record(draw);
+      std::vector<T> scattered(scene.nodes.size());
+      passes::scatter<halves>(scattered.data(), scene.box, scene.stencil, 3, value, axis);
+      double on_nodes = 0, on_particle = 0;
+      for (std::size_t n = 0; n < scattered.size(); ++n) on_nodes += double(scattered[n]) * double(scene.nodes[n]);
+      for (std::size_t c = 0; c < std::size_t(Here::width); ++c) {
+        on_particle += double(value[c]) * double(sum.value[c]);
+        for (int a = 0; a < D; ++a) on_particle += double(axis[a][c]) * double(sum.axis[a][c]);
+      }
+      RC_ASSERT(near(T(on_nodes), on_particle, 8));
+    }));
+  });
+}
+
+namespace {
+
+/// A velocity field that is linear and obeys a mirror plane: v = A x + c.
+template <int D>
+struct LinearField {
+  Mat<double, D> A{};
+  Vec<double, D> c{};
+
+  /// All components odd in the distance from the plane, or, for a symmetry plane, only the normal one.
+  LinearField(int axis, bool wall) {
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+        if (j == axis ? wall || i == axis : !wall && i != axis) A(i, j) = unit() - 0.5;
+    for (int i = 0; i < D; ++i) c[i] = wall || i == axis ? 0 : unit() - 0.5;
+  }
+  Vec<double, D> operator()(const Vec<double, D>& x) const { return A * x + c; }
+};
+
+/// One step of a body on a plane through the origin, its particles anywhere in their cells; see the test below.
+template <class S, class T, int D, class Plane>
+void check_mirrored_field(const Plane& plane, bool wall) {
+  const double dt = 0.01;
+  const Material dust{eos::LinearBulk{.rho0 = 1, .bulk_modulus = 1e-30}};
+  const LinearField<D> field(plane.side.axis, wall);
+  Solver solver{grid::Cartesian<D, T>{.spacing = 1}, S{}, transfer::Apic{}, update::Musl{},
+                timestep::Fixed{.dt = dt}, plane, dust};
+  geometry::Box<D> block{.lower = Vec<double, D>::filled(-3), .upper = Vec<double, D>::filled(3)};
+  (plane.side.upper ? block.upper : block.lower)[plane.side.axis] = 0;
+  solver.fill(block, dust, {.per_axis = 1, .jitter = 0.5, .seed = *rc::gen::inRange<std::uint64_t>(0, 1000)});
+  auto& particles = solver.particles();
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    particles.template set<field::Velocity>(p, field(cast<double>(particles.template get<field::Position>(p))));
+    particles.template set<field::Affine>(p, field.A);
+  }
+  solver.refresh();
+  std::vector<Vec<double, D>> place;
+  for (std::size_t p = 0; p < particles.size(); ++p) place.push_back(cast<double>(particles.template get<field::Position>(p)));
+  solver.step();
+  const double J = det(Mat<double, 3>::identity() + embed(dt * field.A));
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    const Vec<double, D> v = field(place[p]);
+    for (int i = 0; i < D; ++i) {
+      RC_ASSERT(near(particles.template column<field::Velocity>(i)[p], v[i], 4));
+      RC_ASSERT(near(particles.template column<field::Position>(i)[p], place[p][i] + dt * v[i], 4));
+      for (int j = 0; j < D; ++j) RC_ASSERT(near(particles.template get<field::Affine>(p)(i, j), field.A(i, j), 16));
+    }
+    RC_ASSERT(near(particles.template column<field::VolumeRatio>()[p], J));
+  }
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("shape: with the images beyond a plane, a field that obeys it is reproduced up to the plane",
+                   "[shape][boundary][property]", KERNELS) {
+  using S = typename TestType::Shape;
+  using T = typename TestType::number;
+  in_each_dimension([](auto d) {
+    constexpr int D = d;
+    CHECK(rc::check([] {
+      const Side side{*rc::gen::inRange(0, D), *rc::gen::arbitrary<bool>()};
+      check_mirrored_field<S, T, D>(boundary::RigidWall{.side = side, .at = 0}, true);
+      check_mirrored_field<S, T, D>(boundary::Symmetry{.side = side, .at = 0}, false);
+    }));
+  });
+}

@@ -1,0 +1,74 @@
+/// \file
+/// The eight schemes that the library offers so far, and the metal of the scenes, for the tests of the passes.
+#pragma once
+
+#include <random>
+
+#include <mote/mote.hpp>
+
+namespace schemes {
+
+using namespace mote;
+
+inline constexpr double h = 1e-6;
+inline const Material aluminium{eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
+                                strength::VonMises{.shear_modulus = 25.94e9, .yield = 120e6, .hardening = 384e6},
+                                heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
+using Aluminium = std::remove_const_t<decltype(aluminium)>;
+
+template <class S, class X, class U>
+struct Scheme {
+  using Shape = S;
+  using Transfer = X;
+  using Update = U;
+  static constexpr bool flip = std::is_same_v<X, transfer::Flip>;
+};
+
+using LinearFlipUsl = Scheme<shape::Linear, transfer::Flip, update::Usl>;
+using LinearFlipMusl = Scheme<shape::Linear, transfer::Flip, update::Musl>;
+using LinearApicUsl = Scheme<shape::Linear, transfer::Apic, update::Usl>;
+using LinearApicMusl = Scheme<shape::Linear, transfer::Apic, update::Musl>;
+using QuadraticFlipUsl = Scheme<shape::QuadraticBSpline, transfer::Flip, update::Usl>;
+using QuadraticFlipMusl = Scheme<shape::QuadraticBSpline, transfer::Flip, update::Musl>;
+using QuadraticApicUsl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Usl>;
+using QuadraticApicMusl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Musl>;
+
+template <class Scheme>
+typename Scheme::Transfer transfer_of(double blend) {
+  if constexpr (Scheme::flip)
+    return {.blend = blend};
+  else
+    return {};
+}
+
+#define MOTE_TEST_LINEAR_SCHEMES \
+  schemes::LinearFlipUsl, schemes::LinearFlipMusl, schemes::LinearApicUsl, schemes::LinearApicMusl
+#define MOTE_TEST_QUADRATIC_SCHEMES \
+  schemes::QuadraticFlipUsl, schemes::QuadraticFlipMusl, schemes::QuadraticApicUsl, schemes::QuadraticApicMusl
+
+#define MOTE_TEST_SCHEMES MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES
+
+struct Random {
+  std::mt19937 generator{7};
+  double operator()(double size) { return std::uniform_real_distribution<double>(-size, size)(generator); }
+};
+
+/// Moves each number of a field's columns by up to `size`.
+template <class Tag, class P>
+void shake(P& particles, int components, double size, Random& random) {
+  for (int a = 0; a < components; ++a)
+    for (auto& value : particles.template column<Tag>(a)) value += random(size);
+}
+
+/// Jittered positions, masses, velocities about their mean, and affine matrices where there are any.
+template <class P>
+void shake(P& particles, double speed) {
+  constexpr int D = P::dimension;
+  Random random;
+  shake<field::Position>(particles, D, 0.1 * h, random);
+  shake<field::Velocity>(particles, D, speed, random);
+  for (auto& m : particles.template column<field::Mass>()) m *= 1 + random(0.1);
+  if constexpr (contains<typename P::list, field::Affine>) shake<field::Affine>(particles, D * D, speed / h, random);
+}
+
+}  // namespace schemes
