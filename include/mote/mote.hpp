@@ -38,8 +38,15 @@
 #include <mote/heat/none.hpp>
 #include <mote/load/body_force.hpp>
 #include <mote/material.hpp>
+#include <mote/observe/axis_profile.hpp>
+#include <mote/observe/extremes.hpp>
 #include <mote/observe/file.hpp>
 #include <mote/observe/fraction_window.hpp>
+#include <mote/observe/frames.hpp>
+#include <mote/observe/history.hpp>
+#include <mote/observe/ledger.hpp>
+#include <mote/observe/progress.hpp>
+#include <mote/observe/schedule.hpp>
 #include <mote/observe/void_component.hpp>
 #include <mote/observe/vtk.hpp>
 #include <mote/particles/particles.hpp>

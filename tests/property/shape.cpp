@@ -18,9 +18,9 @@ struct Kernel {
   using number = N;
 };
 /// A new kernel is one more line.
-#define KERNELS                                                    \
-  (Kernel<shape::Linear, double>), (Kernel<shape::Linear, float>), \
-      (Kernel<shape::QuadraticBSpline, double>), (Kernel<shape::QuadraticBSpline, float>)
+#define KERNELS                                                                                               \
+  (Kernel<shape::Linear, double>), (Kernel<shape::Linear, float>), (Kernel<shape::QuadraticBSpline, double>), \
+      (Kernel<shape::QuadraticBSpline, float>)
 
 /// Whether the gradient is continuous.
 template <class S>
@@ -127,8 +127,7 @@ TEMPLATE_TEST_CASE("shape: slopes are the derivatives of the weights", "[shape][
   CHECK(rc::check([] {
     const double step = 1e-4, f = 0.001 + 0.998 * unit();
     const At<S, double> at(f), before(f - step), after(f + step);
-    for (int i = 0; i < S::support; ++i)
-      RC_ASSERT(std::abs((after.w[i] - before.w[i]) / (2 * step) - at.d[i]) < 1e-9);
+    for (int i = 0; i < S::support; ++i) RC_ASSERT(std::abs((after.w[i] - before.w[i]) / (2 * step) - at.d[i]) < 1e-9);
   }));
 }
 
@@ -161,7 +160,8 @@ TEMPLATE_TEST_CASE("shape: the inertia that a kernel states is the same everywhe
   }));
 }
 
-TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradient", "[shape][passes][property]", KERNELS) {
+TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradient", "[shape][passes][property]",
+                   KERNELS) {
   using T = typename TestType::number;
   in_each_dimension([](auto d) {
     constexpr int D = d;
@@ -169,7 +169,8 @@ TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradie
       Scene<typename TestType::Shape, T, D> scene;
       scene.set_linear();
       for (int l = 0; l < lanes; ++l) {
-        const auto sum = passes::gather<true, passes::Halves::slope_slope>(scene.nodes.data(), scene.box, scene.stencil, l);
+        const auto sum =
+            passes::gather<true, passes::Halves::slope_slope>(scene.nodes.data(), scene.box, scene.stencil, l);
         RC_ASSERT(near(sum.value[0], 1));
         for (std::size_t a = 0; a < D; ++a) {
           RC_ASSERT(near(sum.value[1 + a], scene.xi[int(a)][std::size_t(l)], 8));
@@ -181,7 +182,8 @@ TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradie
   });
 }
 
-TEMPLATE_TEST_CASE("stencil: first moments vanish and second moments are the inertia", "[shape][passes][property]", KERNELS) {
+TEMPLATE_TEST_CASE("stencil: first moments vanish and second moments are the inertia", "[shape][passes][property]",
+                   KERNELS) {
   using S = typename TestType::Shape;
   using T = typename TestType::number;
   in_each_dimension([](auto d) {
@@ -190,7 +192,8 @@ TEMPLATE_TEST_CASE("stencil: first moments vanish and second moments are the ine
       Scene<S, T, D> scene;
       scene.set_linear();
       for (int l = 0; l < lanes; ++l) {
-        const auto sum = passes::gather<true, passes::Halves::slope_moment>(scene.nodes.data(), scene.box, scene.stencil, l);
+        const auto sum =
+            passes::gather<true, passes::Halves::slope_moment>(scene.nodes.data(), scene.box, scene.stencil, l);
         for (std::size_t a = 0; a < D; ++a) {
           RC_ASSERT(near(sum.axis[a][scene.half], 0));
           for (std::size_t b = 0; b < D; ++b)
@@ -252,8 +255,13 @@ void check_mirrored_field(const Plane& plane, bool wall) {
   const double dt = 0.01;
   const Material dust{eos::LinearBulk{.rho0 = 1, .bulk_modulus = 1e-30}};
   const LinearField<D> field(plane.side.axis, wall);
-  Solver solver{grid::Cartesian<D, T>{.spacing = 1}, S{}, transfer::Apic{}, update::Musl{},
-                timestep::Fixed{.dt = dt}, plane, dust};
+  Solver solver{grid::Cartesian<D, T>{.spacing = 1},
+                S{},
+                transfer::Apic{},
+                update::Musl{},
+                timestep::Fixed{.dt = dt},
+                plane,
+                dust};
   geometry::Box<D> block{.lower = Vec<double, D>::filled(-3), .upper = Vec<double, D>::filled(3)};
   (plane.side.upper ? block.upper : block.lower)[plane.side.axis] = 0;
   solver.fill(block, dust, {.per_axis = 1, .jitter = 0.5, .seed = *rc::gen::inRange<std::uint64_t>(0, 1000)});
@@ -264,7 +272,8 @@ void check_mirrored_field(const Plane& plane, bool wall) {
   }
   solver.refresh();
   std::vector<Vec<double, D>> place;
-  for (std::size_t p = 0; p < particles.size(); ++p) place.push_back(cast<double>(particles.template get<field::Position>(p)));
+  for (std::size_t p = 0; p < particles.size(); ++p)
+    place.push_back(cast<double>(particles.template get<field::Position>(p)));
   solver.step();
   const double J = det(Mat<double, 3>::identity() + embed(dt * field.A));
   for (std::size_t p = 0; p < particles.size(); ++p) {

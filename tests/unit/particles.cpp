@@ -2,7 +2,6 @@
 /// Particle columns.
 #include <mote/particles/particles.hpp>
 
-
 #include "catch.hpp"
 
 namespace {

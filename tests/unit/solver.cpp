@@ -24,7 +24,6 @@ std::vector<double> numbers(S& solver) {
   return all;
 }
 
-
 }  // namespace
 
 namespace {
@@ -32,8 +31,13 @@ namespace {
 /// The largest stress on the way of a block that flies obliquely through 100 cells at 1 km/s, over the yield stress.
 template <class Scheme, class... Sides>
 double stress_in_flight(const Sides&... sides) {
-  Solver solver{grid::Cartesian<3>{.spacing = h}, typename Scheme::Shape{}, typename Scheme::Transfer{},
-                typename Scheme::Update{}, cfl, aluminium, sides...};
+  Solver solver{grid::Cartesian<3>{.spacing = h},
+                typename Scheme::Shape{},
+                typename Scheme::Transfer{},
+                typename Scheme::Update{},
+                cfl,
+                aluminium,
+                sides...};
   const Vec<double, 3> v{800, -480, 360};
   solver.fill(cube<3>(0, 3), aluminium, {.per_axis = 2, .velocity = v, .jitter = 0.3});
   double stress = 0;
@@ -69,10 +73,15 @@ TEMPLATE_TEST_CASE("a known limit: linear hats at a free surface need FLIP and M
 }
 
 TEMPLATE_TEST_CASE("a body at rest on a wall stays there exactly", "[solver]", MOTE_TEST_SCHEMES) {
-  Solver solver{grid::Cartesian<3>{.spacing = h}, typename TestType::Shape{}, typename TestType::Transfer{},
-                typename TestType::Update{}, cfl, boundary::RigidWall{.side = side::z_min, .at = 0},
+  Solver solver{grid::Cartesian<3>{.spacing = h},
+                typename TestType::Shape{},
+                typename TestType::Transfer{},
+                typename TestType::Update{},
+                cfl,
+                boundary::RigidWall{.side = side::z_min, .at = 0},
                 boundary::Symmetry{.side = side::x_max, .at = 3 * h},
-                boundary::Periodic{.axis = axis::y, .from = 0, .to = 3 * h}, aluminium};
+                boundary::Periodic{.axis = axis::y, .from = 0, .to = 3 * h},
+                aluminium};
   solver.fill(cube<3>(0, 3), aluminium, {.per_axis = 2, .jitter = 0.4});
   solver.refresh();
   const auto before = numbers(solver);
@@ -81,11 +90,16 @@ TEMPLATE_TEST_CASE("a body at rest on a wall stays there exactly", "[solver]", M
 }
 
 TEST_CASE("what leaves a period comes in on the other side", "[solver]") {
-  Solver solver{grid::Cartesian<2>{.spacing = h}, shape::QuadraticBSpline{}, transfer::Apic{}, cfl,
+  Solver solver{grid::Cartesian<2>{.spacing = h},
+                shape::QuadraticBSpline{},
+                transfer::Apic{},
+                cfl,
                 boundary::Periodic{.axis = axis::x, .from = -2 * h, .to = 5 * h},
-                boundary::Periodic{.axis = axis::y, .from = -h, .to = 2 * h}, aluminium};
+                boundary::Periodic{.axis = axis::y, .from = -h, .to = 2 * h},
+                aluminium};
   const Vec<double, 2> v{2000, -3000};
-  solver.fill(geometry::Box<2>{.lower = {-2 * h, -h}, .upper = {5 * h, 2 * h}}, aluminium, {.velocity = v, .jitter = 0.3});
+  solver.fill(geometry::Box<2>{.lower = {-2 * h, -h}, .upper = {5 * h, 2 * h}}, aluminium,
+              {.velocity = v, .jitter = 0.3});
   std::vector<Vec<double, 2>> start;
   for (std::size_t p = 0; p < solver.size(); ++p) start.push_back(solver.particles().get<field::Position>(p));
   while (solver.time() < 10e-9) solver.step();
@@ -123,7 +137,8 @@ TEST_CASE("a sort keeps a particle's numbers together and puts blocks in order",
   CHECK(wrong == 0);
   const auto block = [&](std::size_t p) {
     std::array<double, 3> b;
-    for (int a = 0; a < 3; ++a) b[std::size_t(a)] = std::floor(std::floor(particles.column<field::Position>(a)[p] / h) / 4);
+    for (int a = 0; a < 3; ++a)
+      b[std::size_t(a)] = std::floor(std::floor(particles.column<field::Position>(a)[p] / h) / 4);
     return b;
   };
   for (std::size_t p = 1; p < n; ++p) wrong += block(p) < block(p - 1);
@@ -135,8 +150,17 @@ TEST_CASE("the order in which parts are given changes neither type nor result", 
   const boundary::RigidWall wall{.side = side::y_min, .at = 0};
   const boundary::Symmetry mirror{.side = side::x_min, .at = 0};
   const load::BodyForce<2> pull{{1e9, -1e9}};
-  Solver one{cells, shape::QuadraticBSpline{}, transfer::Flip{.blend = 0.9}, update::Musl{}, cfl, wall, mirror, pull, aluminium};
-  Solver other{aluminium, wall, cfl, pull, update::Musl{}, mirror, shape::QuadraticBSpline{}, cells, transfer::Flip{.blend = 0.9}};
+  Solver one{cells,    shape::QuadraticBSpline{}, transfer::Flip{.blend = 0.9}, update::Musl{}, cfl, wall, mirror, pull,
+             aluminium};
+  Solver other{aluminium,
+               wall,
+               cfl,
+               pull,
+               update::Musl{},
+               mirror,
+               shape::QuadraticBSpline{},
+               cells,
+               transfer::Flip{.blend = 0.9}};
   STATIC_REQUIRE(std::is_same_v<decltype(one), decltype(other)>);
   for (auto* solver : {&one, &other}) {
     solver->fill(cube<2>(0, 4), aluminium, {.velocity = {30, -100}, .jitter = 0.2});
@@ -148,12 +172,14 @@ TEST_CASE("the order in which parts are given changes neither type nor result", 
 TEST_CASE("an update that is not named is update stress last", "[solver]") {
   const grid::Cartesian<1> cells{.spacing = h};
   using Unnamed = decltype(Solver{cells, shape::Linear{}, transfer::Flip{}, cfl, aluminium});
-  using Named = decltype(Solver{cells, shape::Linear{}, transfer::Flip{}, cfl, update::Usl{}, execution::Serial{}, aluminium});
+  using Named =
+      decltype(Solver{cells, shape::Linear{}, transfer::Flip{}, cfl, update::Usl{}, execution::Serial{}, aluminium});
   STATIC_REQUIRE(std::is_same_v<Unnamed, Named>);
 }
 
 TEST_CASE("a step is no longer than its limit, and a run ends at its time", "[solver]") {
-  Solver solver{grid::Cartesian<1>{.spacing = h}, shape::Linear{}, transfer::Flip{}, timestep::Fixed{.dt = 1e-11}, aluminium};
+  Solver solver{grid::Cartesian<1>{.spacing = h}, shape::Linear{}, transfer::Flip{}, timestep::Fixed{.dt = 1e-11},
+                aluminium};
   solver.fill(cube<1>(0, 4), aluminium, {});
   CHECK(solver.step() == 1e-11);
   CHECK(solver.step(4e-12) == 4e-12);

@@ -11,10 +11,11 @@ using Catch::Matchers::ContainsSubstring;
 /// A block of aluminium on a wall at z = `wall` cells, 512 particles.
 template <class Executor = execution::Serial, class Step = timestep::Cfl, class... More>
 auto on_a_wall(int wall, const Executor& executor = {}, const Step& step = {}, const More&... more) {
-  using S = decltype(Solver{grid::Cartesian<3>{.spacing = h}, shape::QuadraticBSpline{}, transfer::Apic{}, step, executor,
-                            boundary::RigidWall{.side = side::z_min, .at = wall * h}, aluminium, more...});
-  auto solver = std::make_unique<S>(grid::Cartesian<3>{.spacing = h}, shape::QuadraticBSpline{}, transfer::Apic{}, step,
-                                    executor, boundary::RigidWall{.side = side::z_min, .at = wall * h}, aluminium, more...);
+  using S = decltype(Solver{grid::Cartesian<3>{.spacing = h}, shape::QuadraticBSpline{}, transfer::Apic{}, step,
+                            executor, boundary::RigidWall{.side = side::z_min, .at = wall * h}, aluminium, more...});
+  auto solver =
+      std::make_unique<S>(grid::Cartesian<3>{.spacing = h}, shape::QuadraticBSpline{}, transfer::Apic{}, step, executor,
+                          boundary::RigidWall{.side = side::z_min, .at = wall * h}, aluminium, more...);
   solver->fill(geometry::Box<3>{.lower = {0, 0, wall * h}, .upper = {4 * h, 4 * h, (wall + 4) * h}}, aluminium, {});
   solver->refresh();
   return solver;
@@ -81,7 +82,8 @@ TEST_CASE("a step that compresses too far fails; its columns stay readable, and 
   CHECK_THAT(message([&] { solver->step(); }), ContainsSubstring("V/V0"));
   CHECK(particles.size() == 512);
   CHECK(particles.column<field::VolumeRatio>().size() == 512);
-  CHECK(*std::min_element(particles.column<field::VolumeRatio>().begin(), particles.column<field::VolumeRatio>().end()) < 0.25);
+  CHECK(*std::min_element(particles.column<field::VolumeRatio>().begin(),
+                          particles.column<field::VolumeRatio>().end()) < 0.25);
   CHECK_THROWS_AS(solver->step(), UsageError);
 }
 

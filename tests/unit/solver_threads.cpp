@@ -37,10 +37,15 @@ using namespace schemes;
 /// Every number of the particles after 30 steps of a shaken body that flies at a wall, with sorts on the way.
 template <class Scheme, class Executor>
 auto after_30_steps(const Executor& executor) {
-  Solver solver{grid::Cartesian<3>{.spacing = h}, typename Scheme::Shape{}, typename Scheme::Transfer{},
-                typename Scheme::Update{}, timestep::Cfl{.courant = 0.4}, executor,
+  Solver solver{grid::Cartesian<3>{.spacing = h},
+                typename Scheme::Shape{},
+                typename Scheme::Transfer{},
+                typename Scheme::Update{},
+                timestep::Cfl{.courant = 0.4},
+                executor,
                 boundary::Periodic{.axis = axis::x, .from = -5 * h, .to = 5 * h},
-                boundary::Symmetry{.side = side::y_max, .at = 5 * h}, boundary::RigidWall{.side = side::z_min, .at = 0},
+                boundary::Symmetry{.side = side::y_max, .at = 5 * h},
+                boundary::RigidWall{.side = side::z_min, .at = 0},
                 aluminium};
   const geometry::Box<3> block{.lower = {-5 * h, -5 * h, 0}, .upper = {5 * h, 5 * h, 9 * h}};
   const geometry::Ball<3> hole{.centre = {0, 0, 4 * h}, .radius = 2 * h};
@@ -75,12 +80,19 @@ TEMPLATE_TEST_CASE("any number of threads gives the same bits", "[solver][execut
 TEMPLATE_TEST_CASE("a warm step allocates nothing, with a sort or without", "[solver][execution]",
                    schemes::QuadraticApicUsl, schemes::LinearFlipMusl) {
   const int threads = GENERATE(1, 2);
-  Solver solver{grid::Cartesian<3>{.spacing = h}, typename TestType::Shape{}, typename TestType::Transfer{},
-                typename TestType::Update{}, timestep::Cfl{.courant = 0.4}, execution::Threads(threads),
+  Solver solver{grid::Cartesian<3>{.spacing = h},
+                typename TestType::Shape{},
+                typename TestType::Transfer{},
+                typename TestType::Update{},
+                timestep::Cfl{.courant = 0.4},
+                execution::Threads(threads),
                 boundary::Periodic{.axis = axis::x, .from = 0, .to = 8 * h},
-                boundary::Symmetry{.side = side::y_min, .at = 0}, boundary::Symmetry{.side = side::y_max, .at = 3 * h},
-                boundary::RigidWall{.side = side::z_min, .at = 0}, boundary::Symmetry{.side = side::z_max, .at = 3 * h},
-                load::BodyForce<3>{{0, 0, -1e9}}, aluminium};
+                boundary::Symmetry{.side = side::y_min, .at = 0},
+                boundary::Symmetry{.side = side::y_max, .at = 3 * h},
+                boundary::RigidWall{.side = side::z_min, .at = 0},
+                boundary::Symmetry{.side = side::z_max, .at = 3 * h},
+                load::BodyForce<3>{{0, 0, -1e9}},
+                aluminium};
   solver.fill(geometry::Box<3>{.lower = {0, 0, 0}, .upper = {8 * h, 3 * h, 3 * h}}, aluminium,
               {.velocity = {4000, 0, 0}, .jitter = 0.3});
   for (int i = 0; i < 100; ++i) solver.step();

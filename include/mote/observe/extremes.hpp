@@ -5,7 +5,9 @@
 #include <mote/grid/blocks.hpp>
 #include <mote/observe/schedule.hpp>
 
+#include <cstdint>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace mote::observe {

@@ -32,9 +32,7 @@ struct ParticleColumns {
   std::span<const T> x, y, z, volume, ratio = {};
   double scale = 1;
 
-  double volume_of(std::size_t p) const {
-    return scale * double(volume[p]) * (ratio.empty() ? 1.0 : double(ratio[p]));
-  }
+  double volume_of(std::size_t p) const { return scale * double(volume[p]) * (ratio.empty() ? 1.0 : double(ratio[p])); }
   void validate() const {
     require(y.size() == x.size() && z.size() == x.size() && volume.size() == x.size() &&
                 (ratio.empty() || ratio.size() == x.size()),
@@ -233,8 +231,7 @@ class FractionWindow {
           count += in_x(x[i]) & in_y(y[i]);
         }
         for (std::size_t i = 0; i < count; ++i)
-          spread({double(x[chosen[i]]), double(y[chosen[i]]), double(z[chosen[i]])},
-                 p.volume_of(begin + chosen[i]));
+          spread({double(x[chosen[i]]), double(y[chosen[i]]), double(z[chosen[i]])}, p.volume_of(begin + chosen[i]));
       }
   }
 

@@ -59,12 +59,12 @@ std::string expectation(const std::string& file, const std::string& name, int co
 // A user's own fields, on a material without strength.
 struct Marker {
   using shape = shape_of::Scalar;
-  static constexpr const char *name = "marker", *unit = "1";
+  static constexpr const char* name = "marker";
   static constexpr double initial = 7;
 };
 struct Drift {
   using shape = shape_of::Vector;
-  static constexpr const char *name = "drift", *unit = "m";
+  static constexpr const char* name = "drift";
   static constexpr double initial = 2;
 };
 struct Tracer {

@@ -12,9 +12,14 @@ using namespace beside;
 template <class Scheme, class... Sides>
 void run_beside(double blend, textbook::Box box, const Sides&... sides) {
   box.planes.push_back({.axis = 2, .node = 0});
-  Solver solver{grid::Cartesian<3>{.spacing = h}, typename Scheme::Shape{}, transfer_of<Scheme>(blend),
-                typename Scheme::Update{}, timestep::Fixed{.dt = dt}, sides...,
-                boundary::RigidWall{.side = side::z_min, .at = 0}, aluminium};
+  Solver solver{grid::Cartesian<3>{.spacing = h},
+                typename Scheme::Shape{},
+                transfer_of<Scheme>(blend),
+                typename Scheme::Update{},
+                timestep::Fixed{.dt = dt},
+                sides...,
+                boundary::RigidWall{.side = side::z_min, .at = 0},
+                aluminium};
   const geometry::Box<3> block{.lower = {-4 * h, -4 * h, 0}, .upper = {4 * h, 4 * h, 10 * h}};
   const geometry::Ball<3> hole{.centre = {0, 0, 4 * h}, .radius = 2 * h};
   solver.fill(block - hole, aluminium, {.per_axis = 2, .velocity = {400, -300, 100}});
@@ -49,24 +54,24 @@ double blend() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the passes equal the textbook between periodic sides", "[passes][textbook]",
-                   MOTE_TEST_SCHEMES) {
+TEMPLATE_TEST_CASE("the passes equal the textbook between periodic sides", "[passes][textbook]", MOTE_TEST_SCHEMES) {
   const double part = blend<TestType>();
   run_beside<TestType>(part, {h, {-4, -4, 0}, {4, 4, 13}, {true, true, false}},
                        boundary::Periodic{.axis = axis::x, .from = -4 * h, .to = 4 * h},
                        boundary::Periodic{.axis = axis::y, .from = -4 * h, .to = 4 * h});
 }
 
-TEMPLATE_TEST_CASE("the passes equal the textbook between symmetry planes", "[passes][textbook]",
-                   MOTE_TEST_SCHEMES) {
+TEMPLATE_TEST_CASE("the passes equal the textbook between symmetry planes", "[passes][textbook]", MOTE_TEST_SCHEMES) {
   const double part = blend<TestType>();
-  run_beside<TestType>(part,
-                       {h, {-4, -4, 0}, {4, 4, 13}, {},
-                        {{0, -4, false, false}, {0, 4, true, false}, {1, -4, false, false}, {1, 4, true, false}}},
-                       boundary::Symmetry{.side = side::x_min, .at = -4 * h},
-                       boundary::Symmetry{.side = side::x_max, .at = 4 * h},
-                       boundary::Symmetry{.side = side::y_min, .at = -4 * h},
-                       boundary::Symmetry{.side = side::y_max, .at = 4 * h});
+  run_beside<TestType>(
+      part,
+      {h,
+       {-4, -4, 0},
+       {4, 4, 13},
+       {},
+       {{0, -4, false, false}, {0, 4, true, false}, {1, -4, false, false}, {1, 4, true, false}}},
+      boundary::Symmetry{.side = side::x_min, .at = -4 * h}, boundary::Symmetry{.side = side::x_max, .at = 4 * h},
+      boundary::Symmetry{.side = side::y_min, .at = -4 * h}, boundary::Symmetry{.side = side::y_max, .at = 4 * h});
 }
 
 TEMPLATE_TEST_CASE("half a body behind a symmetry plane moves as the whole", "[passes]", schemes::LinearFlipUsl,

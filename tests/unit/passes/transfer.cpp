@@ -39,7 +39,8 @@ double angular_momentum(const P& particles, int i, int j) {
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto x = particles.template get<field::Position>(p), v = particles.template get<field::Velocity>(p);
     const auto C = particles.template get<field::Affine>(p);
-    sum += particles.template column<field::Mass>()[p] * (x[i] * v[j] - x[j] * v[i] + 0.25 * h * h * (C(j, i) - C(i, j)));
+    sum +=
+        particles.template column<field::Mass>()[p] * (x[i] * v[j] - x[j] * v[i] + 0.25 * h * h * (C(j, i) - C(i, j)));
   }
   return sum;
 }
@@ -48,8 +49,8 @@ double angular_momentum(const P& particles, int i, int j) {
 /// \param check called with the solver before and after
 template <class Scheme, int D, class F>
 void fly(const F& check) {
-  Solver solver{grid::Cartesian<D>{.spacing = h}, typename Scheme::Shape{}, transfer_of<Scheme>(0.9),
-                typename Scheme::Update{}, timestep::Fixed{.dt = 2e-10}, dust};
+  Solver solver{grid::Cartesian<D>{.spacing = h}, typename Scheme::Shape{},     transfer_of<Scheme>(0.9),
+                typename Scheme::Update{},        timestep::Fixed{.dt = 2e-10}, dust};
   solver.fill(cube<D>(-3, 3), dust, {.per_axis = 2, .velocity = Vec<double, D>::filled(50)});
   shake(solver.particles(), 100);
   solver.refresh();
@@ -97,9 +98,14 @@ void check_impulse() {
   constexpr int z = D - 1;
   const double blend = GENERATE(1.0, 0.9);
   if (!Scheme::flip && blend < 1) return;
-  Solver solver{grid::Cartesian<D>{.spacing = h}, typename Scheme::Shape{}, transfer_of<Scheme>(blend),
-                typename Scheme::Update{}, timestep::Cfl{.courant = 0.3}, boundary::RigidWall{.side = {z, false}, .at = 0},
-                boundary::Symmetry{.side = side::x_min, .at = -h}, boundary::Symmetry{.side = side::x_max, .at = 4 * h},
+  Solver solver{grid::Cartesian<D>{.spacing = h},
+                typename Scheme::Shape{},
+                transfer_of<Scheme>(blend),
+                typename Scheme::Update{},
+                timestep::Cfl{.courant = 0.3},
+                boundary::RigidWall{.side = {z, false}, .at = 0},
+                boundary::Symmetry{.side = side::x_min, .at = -h},
+                boundary::Symmetry{.side = side::x_max, .at = 4 * h},
                 aluminium};
   auto block = cube<D>(0, 5);
   block.lower[0] = -h, block.upper[0] = 4 * h;
@@ -140,8 +146,13 @@ TEMPLATE_TEST_CASE("planes give exactly the momentum that the body gains", "[pas
 
 TEMPLATE_TEST_CASE("a body force adds mass times acceleration times time", "[passes]", MOTE_TEST_SCHEMES) {
   const Vec<double, 2> b{1e9, -3e9};
-  Solver solver{grid::Cartesian<2>{.spacing = h}, typename TestType::Shape{}, transfer_of<TestType>(0.9),
-                typename TestType::Update{}, timestep::Fixed{.dt = 3e-11}, load::BodyForce<2>{b}, aluminium};
+  Solver solver{grid::Cartesian<2>{.spacing = h},
+                typename TestType::Shape{},
+                transfer_of<TestType>(0.9),
+                typename TestType::Update{},
+                timestep::Fixed{.dt = 3e-11},
+                load::BodyForce<2>{b},
+                aluminium};
   solver.fill(cube<2>(-3, 3), aluminium, {.velocity = {50, 0}});
   auto& particles = solver.particles();
   shake(particles, 20);
