@@ -144,8 +144,8 @@ def draw_axis(run, config, file):
         table = np.full((len(heights), len(times)), np.nan)
         table[np.round((a["z_um"] - heights[0]) / step).astype(int), np.searchsorted(times, a["time_ns"])] = a[name] * scale
         table = np.apply_along_axis(bridged, 0, table)
-        limit = np.nanmax(np.abs(table)) or 1
-        mesh = diagram.contourf(times, heights, table, levels=np.linspace(-limit, limit, 41), cmap="RdBu_r")
+        limit = float(f"{np.nanpercentile(np.abs(table), 99.5):.1g}") or 1
+        mesh = diagram.contourf(times, heights, table, levels=np.linspace(-limit, limit, 41), cmap="RdBu_r", extend="both")
         diagram.plot(times, np.full(len(times), heights[-1] + 2 * step), "kv", ms=4, clip_on=False)
         diagram.set_facecolor("#dddddd")
         diagram.set(xlabel="time  (ns)", ylabel="z  (µm)", title=f"{label.split()[0]} on the axis (grey: cavity; ▼ frames)")

@@ -160,8 +160,8 @@ def render(surface, limits, focus, half_height, size=560):
     mapper.UseLookupTableScalarRangeOn()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
-    actor.GetProperty().SetAmbient(0.25)
-    actor.GetProperty().SetDiffuse(0.8)
+    actor.GetProperty().SetAmbient(0.5)
+    actor.GetProperty().SetDiffuse(0.55)
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(actor)
@@ -189,11 +189,11 @@ def draw_surface(run, title, centre_z, file):
     chosen = frames[:1] + choose(frames, 4) if len(frames) > 4 else frames
     surfaces = [cavity_surface(read(path), centre_z) for path, _ in chosen]
     speeds = np.concatenate([vtk_to_numpy(s.GetPointData().GetArray("velocity"))[:, 2] for s in surfaces])
-    limit = np.abs(speeds).max() or 1
+    limit = float(f"{np.percentile(np.abs(speeds), 99.5):.1g}") or 1
     bounds = np.array([s.GetBounds() for s in surfaces])
     low, high = bounds[:, 4].min(), bounds[:, 5].max()
     half_height = 0.62 * max(high - low, (bounds[:, 1] - bounds[:, 0]).max())
-    figure, grid = plt.subplots(1, len(chosen), figsize=(3.5 * len(chosen) + 1, 4.6), squeeze=False, layout="constrained")
+    figure, grid = plt.subplots(1, len(chosen), figsize=(3.2 * len(chosen) + 1, 4.4), squeeze=False, layout="constrained")
     for axes, surface, (_, time), box in zip(grid[0], surfaces, chosen, bounds):
         e = half_height
         axes.imshow(render(surface, (-limit, limit), (low + high) / 2, half_height), extent=(-e, e, -e, e))
@@ -202,7 +202,7 @@ def draw_surface(run, title, centre_z, file):
         axes.set_title(f"{time:.2f} ns\nx {box[0]:.1f}..{box[1]:.1f}, z {box[4]:.1f}..{box[5]:.1f} µm", fontsize=10)
         axes.axis("off")
     scale = plt.cm.ScalarMappable(plt.Normalize(-limit, limit), "RdBu_r")
-    figure.colorbar(scale, ax=grid[0].tolist(), label="v_z  (m/s)", fraction=0.02)
+    figure.colorbar(scale, ax=grid[0].tolist(), label="v_z  (m/s)", fraction=0.02, extend="both")
     figure.suptitle("Surface of the cavity (volume fraction 1/2), seen from the side, z upwards\n" + title)
     figure.savefig(file, dpi=110)
     plt.close(figure)

@@ -93,10 +93,20 @@ double estimate_steps(const Options& o) {
   return samples < 1 ? std::ceil(o.until / dt) : std::ceil(samples * std::ceil(o.sample / dt));
 }
 
-/// Particle columns, the sort's and the grid's share, and what the program itself takes.
+double estimate_whole_body(const Options& o) {
+  return estimate_particles(o) * (o.domain == Domain::quarter ? 4 : 1);
+}
+
+/// Memory: the program, columns, what sort and grid add to them, and a frame, which is of the whole body.
 double estimate_bytes(const Options& o, const Combination& c) {
-  const double overhead = 60, program = 15e6;
-  return program + estimate_particles(o) * (c.bytes_per_particle + overhead);
+  const double program = 10e6, sort_and_grid = 60, frame = o.frames > 0 ? 70 : 0;
+  return program + estimate_particles(o) * (c.bytes_per_particle + sort_and_grid) + estimate_whole_body(o) * frame;
+}
+
+/// Files: a particle takes 86 bytes of a frame in base64, a node 38.
+double estimate_file_bytes(const Options& o) {
+  const double nodes = 4 * half_width * half_width * height / std::pow(o.spacing, 3);
+  return o.frames * (86 * estimate_whole_body(o) + 38 * nodes) + 500 * o.until / o.sample;
 }
 
 }  // namespace
@@ -110,7 +120,9 @@ std::string plan(const Options& o, const Combination& c) {
   out << "\nestimates\n";
   out << std::left << std::setw(20) << "particles" << estimate_particles(o) << '\n';
   out << std::setw(20) << "steps" << estimate_steps(o) << '\n';
+  out << std::setw(20) << "bytes_per_particle" << c.bytes_per_particle << '\n';
   out << std::setw(20) << "memory_mb" << 1e-6 * estimate_bytes(o, c) << '\n';
+  out << std::setw(20) << "files_mb" << 1e-6 * estimate_file_bytes(o) << '\n';
   out << "\nDry run: nothing was computed or written.\n";
   return out.str();
 }

@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <mote/mote.hpp>
 #include <mote/observe/axis_profile.hpp>
-#include <mote/observe/frames.hpp>
+#include <mote/observe/vti.hpp>
+#include <mote/observe/vtp.hpp>
 #include <mote/observe/history.hpp>
 #include <mote/observe/progress.hpp>
 

@@ -42,13 +42,15 @@
 #include <mote/observe/extremes.hpp>
 #include <mote/observe/file.hpp>
 #include <mote/observe/fraction_window.hpp>
-#include <mote/observe/frames.hpp>
+#include <mote/observe/frame_series.hpp>
 #include <mote/observe/history.hpp>
 #include <mote/observe/ledger.hpp>
 #include <mote/observe/progress.hpp>
 #include <mote/observe/schedule.hpp>
 #include <mote/observe/void_component.hpp>
+#include <mote/observe/vti.hpp>
 #include <mote/observe/vtk.hpp>
+#include <mote/observe/vtp.hpp>
 #include <mote/particles/particles.hpp>
 #include <mote/passes/body.hpp>
 #include <mote/passes/gather.hpp>

@@ -157,7 +157,7 @@ class Solver {
     last_dt_ = dt;
     ++steps_;
     phases_.check(steps_);
-    if (phases_.strayed()) sort();
+    if (phases_.strayed()) sorted_ = false;  // at the start of the next step: until then nodes() is this step's
     failed_ = false;
     seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
     return dt;

@@ -219,7 +219,7 @@ TEMPLATE_TEST_CASE("stencil: scattering is the transpose of gathering", "[shape]
       value = typename Here::Record(draw);
       for (auto& a : axis) a = typename Here::Record(draw);
       std::vector<T> scattered(scene.nodes.size());
-      passes::scatter<halves>(scattered.data(), scene.box, scene.stencil, 3, value, axis);
+      passes::scatter<true, halves>(scattered.data(), scene.box, scene.stencil, 3, value, axis);
       double on_nodes = 0, on_particle = 0;
       for (std::size_t n = 0; n < scattered.size(); ++n) on_nodes += double(scattered[n]) * double(scene.nodes[n]);
       for (std::size_t c = 0; c < std::size_t(Here::width); ++c) {

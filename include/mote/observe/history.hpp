@@ -148,17 +148,15 @@ struct History {
     file_.reset();
     if (!file.empty()) file_.emplace(file, detail::history_header);
     sample(solver, false);
-    sorts_ = solver.sorts();
   }
   double due() const { return schedule_.due(); }
   template <class Solver>
   void observe(const Solver& solver) {
-    if (schedule_.wants(solver.time())) sample(solver, solver.sorts() == sorts_);
-    sorts_ = solver.sorts();
+    if (schedule_.wants(solver.time())) sample(solver, true);
   }
   template <class Solver>
   void end(const Solver& solver) {
-    if (schedule_.wants_end(solver.time())) sample(solver, false);
+    if (schedule_.wants_end(solver.time())) sample(solver, solver.steps() > 0);
     if (file_) file_->close();
   }
 
@@ -168,7 +166,6 @@ struct History {
   std::optional<VoidComponent> void_ = {};
   Ledger start_ = {};
   int component_ = 0;
-  std::size_t sorts_ = 0;
 
   template <class Solver>
   void sample(const Solver& solver, bool nodes_are_of_step) {

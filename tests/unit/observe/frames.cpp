@@ -1,7 +1,8 @@
 // Frames, read back with VTK's own readers through read_vtk.py where VTK's Python module is there.
 #include "catch.hpp"
 
-#include <mote/observe/frames.hpp>
+#include <mote/observe/vti.hpp>
+#include <mote/observe/vtp.hpp>
 
 #include <sys/wait.h>
 #include <unistd.h>
