@@ -1,0 +1,194 @@
+#!/usr/bin/env bash
+# check.sh CAVITY SOURCE SCRATCH: exercises the cavity program; SCRATCH is a directory of its own, emptied first.
+set -uo pipefail
+cavity=$1 source=$2 scratch=$3
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cd "$scratch" || exit 1
+failures=0
+
+fail() {
+  echo "FAILED: $*"
+  failures=$((failures + 1))
+}
+
+# A run of a moment.
+tiny=(--spacing 5 --until 0.5 --sample 0.25 --frames 2 --quiet)
+
+# refuses SENTENCE ARGUMENTS...: exit code 2, one sentence that contains SENTENCE, nothing on stdout, nothing written
+refuses() {
+  local sentence=$1 code
+  shift
+  "$cavity" --out refused "$@" >stdout 2>stderr
+  code=$?
+  [ $code -eq 2 ] || fail "exit code $code, not 2: cavity $*"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "not one line on stderr: cavity $*: $(cat stderr)"
+  grep -qF -e "$sentence" stderr || fail "cavity $* said '$(cat stderr)', not '$sentence'"
+  [ ! -s stdout ] || fail "cavity $* wrote to stdout"
+  [ ! -e refused ] || fail "cavity $* made its directory"
+}
+
+bad_words() {
+  refuses "'--speeed' is not an option" --speeed 3
+  refuses "'more' is not an option" more
+  refuses "speed" --speed fast
+  refuses "--seed" --seed -1
+  refuses "--preset is 'best'; choose paper, accurate or quick" --preset best
+  refuses "--shape gimp is not available yet; choose linear or quadratic" --shape gimp
+  refuses "--shape cubic is not available yet; choose linear or quadratic" --shape cubic
+  refuses "--shape is 'round'; choose linear or quadratic" --shape round
+  refuses "--transfer xpic is not available yet; choose flip or apic" --transfer xpic
+  refuses "--update usf is not available yet; choose usl or musl" --update usf
+  refuses "--sleep on is not available yet; choose off" --sleep on
+  refuses "--conductivity is 237; conduction is not available yet" --conductivity 237
+  refuses "--fill is 'sand'; choose lattice or fraction" --fill sand
+  refuses "--domain is 'half'; choose full or quarter" --domain half
+  refuses "--precision is 'half'; choose double or float" --precision half
+}
+
+bad_values() {
+  refuses "--spacing is -1 um; it must be > 0" --spacing -1
+  refuses "--spacing is 0 um; it must be > 0" --spacing 0
+  refuses "--spacing is nan um; it must be > 0" --spacing nan
+  refuses "--spacing is 3 um, which does not divide the body" --spacing 3
+  refuses "--spacing is 20 um, which does not divide the body" --spacing 20
+  refuses "the most is 2^31" --spacing 0.01
+  refuses "--until is 0 ns; it must be > 0" --until 0
+  refuses "--until is -2 ns; it must be > 0" --until -2
+  refuses "--sample is 0 ns; it must be > 0" --sample 0
+  refuses "more than a million rows" --sample 1e-9
+  refuses "--per-axis is 0; it must be from 1 to 8" --per-axis 0
+  refuses "--per-axis is 9; it must be from 1 to 8" --per-axis 9
+  refuses "--jitter is 0.6; it must be from 0 to 0.5" --jitter 0.6
+  refuses "--courant is 0; it must be > 0 and at most 1" --courant 0
+  refuses "--courant is 1.5; it must be > 0 and at most 1" --courant 1.5
+  refuses "--threads is -1; it must be from 0 (all) to 1024" --threads -1
+  refuses "--frames is 1; it must be 0 (none) or from 2" --frames 1
+  refuses "--speed is 1e+06 m/s; it must be from -5000 to 5000" --speed 1e6
+  refuses "--yield is 0 MPa; it must be > 0" --yield 0
+  refuses "--hardening is -1 MPa; it must be from 0" --hardening -1
+}
+
+bad_cavities_and_combinations() {
+  refuses "--radius is -1 um; it must be >= 0" --radius -1
+  refuses "touches the wall; with --centre-z 10 it must be below 10" --radius 10
+  refuses "touches the free surface; with --centre-z 45 it must be below 5" --radius 6 --centre-z 45
+  refuses "touches its periodic image; it must be below 20" --radius 20 --centre-z 25
+  refuses "--centre-z is 60 um, outside the body" --centre-z 60
+  refuses "less than a cell" --radius 0.5
+  refuses "--flip-blend does not go with --transfer apic" --flip-blend 0.5
+  refuses "--flip-blend is 2; it must be from 0 to 1" --transfer flip --flip-blend 2
+  refuses "--precision float is not available with --shape linear --transfer apic" --precision float --shape linear
+}
+
+bad_directories() {
+  mkdir full && touch full/something file
+  refuses "--out full is not empty; name another directory, or say --overwrite" --out full
+  [ "$(ls full)" = something ] || fail "a refused run touched its directory"
+  refuses "--out file is there and is no directory" --out file
+  refuses "cannot be made" --out file/below
+  if [ "$(id -u)" -ne 0 ]; then
+    mkdir locked && chmod a-w locked
+    refuses "--out locked cannot be written to" --out locked
+  fi
+}
+
+dry_run() {
+  "$cavity" --preset paper --speed 400 --out dry --dry-run >stdout 2>stderr || fail "--dry-run fails: $(cat stderr)"
+  [ ! -e dry ] || fail "--dry-run made a directory"
+  for line in "preset +paper" "speed_m_s +400" "shape +linear" "transfer +flip" "domain +full" "fill +lattice" \
+    "particles +635811" "steps +[0-9]" "memory_mb +[0-9]"; do
+    grep -qE "^$line" stdout || fail "--dry-run does not say $line"
+  done
+  "$cavity" --help >stdout 2>&1 || fail "--help fails"
+  grep -q -e --centre-z stdout || fail "--help does not list the options"
+}
+
+# good NAME ARGUMENTS...: runs to the end into the directory NAME
+good() {
+  local name=$1
+  shift
+  "$cavity" "${tiny[@]}" --out "$name" "$@" >stdout 2>stderr || fail "cavity ${tiny[*]} --out $name $*: $(cat stderr)"
+  [ ! -s stderr ] || fail "cavity --quiet $* wrote to stderr: $(cat stderr)"
+}
+
+runs() {
+  good solid --radius 0
+  for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl"; do
+    read -r shape transfer update <<<"$scheme"
+    good "$shape-$transfer-$update" --shape "$shape" --transfer "$transfer" --update "$update" --frames 0
+  done
+  good full --domain full --fill lattice
+  good quarter --fill lattice
+  good float --precision float --frames 0
+  good into-wall --speed -100 --jitter 0.2 --seed 7 --frames 0 --threads 3 --flip-blend 0.9 --transfer flip
+}
+
+outputs() {
+  local header=time_ns,step,vz_min_m_s,vz_max_m_s,vz_low_m_s,vz_high_m_s,vz_min_grid_m_s,vz_max_grid_m_s,p_min_mpa
+  header+=,p_max_mpa,t_max_k,cavity_volume_um3,cavity_width_um,cavity_height_um,kinetic_j,elastic_j,plastic_j,viscous_j
+  header+=,transfer_loss_j,energy_error,mass_kg,momentum_z_kg_m_s,wall_impulse_z_n_s,active_fraction
+  [ "$(head -1 full/history.csv)" = "$header" ] || fail "the columns of history.csv are others"
+  [ "$(head -1 full/axis.csv)" = time_ns,z_um,vz_m_s,p_mpa,t_k,rho_kg_m3 ] || fail "the columns of axis.csv are others"
+  [ "$(wc -l <full/history.csv)" -eq 4 ] || fail "history.csv does not have three samples"
+  awk -F, 'NF != 24 { exit 1 }' full/history.csv || fail "a row of history.csv is torn"
+  awk -F, 'NR > 1 { t[$1] } END { exit length(t) != 2 }' full/axis.csv || fail "axis.csv does not have two times"
+  for key in version configuration particles steps wall_seconds step_seconds ns_per_particle_step peak_memory_bytes; do
+    grep -q "\"$key\": [^n]" full/summary.json || fail "summary.json lacks $key"
+  done
+  for n in particles_0000.vtp particles_0001.vtp particles.pvd grid_0000.vti grid_0001.vti grid.pvd; do
+    [ -s "full/frames/$n" ] && [ -s "quarter/frames/$n" ] || fail "frames/$n is missing"
+  done
+  # the full body also where a quarter ran, and the same mass
+  cut -d, -f21 full/history.csv | tail -1 >mass && cut -d, -f21 quarter/history.csv | tail -1 >>mass
+  awk '{ m[NR] = $1 } END { exit !((m[1] / m[2] - 1) ^ 2 < 1e-24) }' mass || fail "quarter and full differ in mass"
+  [ "$(grep -o 'NumberOfPoints="[0-9]*"' full/frames/particles_0000.vtp)" = \
+    "$(grep -o 'NumberOfPoints="[0-9]*"' quarter/frames/particles_0000.vtp)" ] || fail "a quarter's frame is not the body"
+  /usr/bin/python3 "$source/tests/unit/observe/read_vtk.py" . >stdout 2>stderr
+  case $? in
+    0) ;;
+    2) echo "the frames were not read back: $(cat stderr)" ;;
+    *) fail "frames: $(cat stderr)" ;;
+  esac
+}
+
+overwriting() {
+  good again
+  refuses "--out again is not empty" --out again
+  touch again/mine again/frames/particles_0099.vtp
+  good again --overwrite --frames 0
+  [ -e again/mine ] || fail "--overwrite removed a file that is not the program's"
+  [ ! -e again/frames/particles_0099.vtp ] || fail "--overwrite left an earlier run's frame"
+}
+
+# disk_full SENTENCE: exit code 1 and one sentence, and what is there of history.csv is whole rows
+disk_full() {
+  local code=$1
+  [ "$code" -eq 1 ] || fail "a full disk gives exit code $code, not 1"
+  [ "$(wc -l <stderr)" -eq 1 ] || fail "a full disk gives not one line: $(cat stderr)"
+  grep -q "cannot write" stderr || fail "a full disk gives '$(cat stderr)'"
+}
+
+full_disks() {
+  mkdir device && ln -s /dev/full device/history.csv
+  "$cavity" "${tiny[@]}" --out device --overwrite >stdout 2>stderr
+  disk_full $?
+  # no file beyond 8 KiB, the signal ignored: history.csv stops in the middle of its rows
+  (trap '' XFSZ && ulimit -f 8 && exec "$cavity" --spacing 5 --until 8 --sample 0.02 --frames 0 --quiet --out small) \
+    >stdout 2>stderr
+  disk_full $?
+  awk -F, 'NF != 24 { exit 1 } END { exit NR < 5 }' small/history.csv || fail "history.csv of a full disk is torn"
+  [ ! -e small/summary.json ] || fail "a run that could not write has a summary"
+}
+
+bad_words
+bad_values
+bad_cavities_and_combinations
+bad_directories
+dry_run
+runs
+outputs
+overwriting
+full_disks
+[ $failures -eq 0 ] && echo "all as expected"
+[ $failures -eq 0 ]
