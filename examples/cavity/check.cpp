@@ -54,6 +54,7 @@ void check_mesh(Options& o) {
   demand(sites < 0x1p31, "--spacing ", o.spacing, " um with --per-axis ", o.per_axis, " makes ", sites,
          " particles in the whole body; the most is 2^31");
   demand(o.jitter >= 0 && o.jitter <= 0.5, "--jitter is ", o.jitter, "; it must be from 0 to 0.5");
+  demand(o.seed >= 0, "--seed is ", o.seed, "; it must be >= 0");
 }
 
 void check_method(const Options& o) {

@@ -116,6 +116,7 @@ void read(int argc, const char* const* argv, Options& o) {
   CLI::App app{"A spherical cavity in aluminium, torn open by the rarefaction wave from a wall (MPM).\n"
                "Units: um, ns, m/s, K, MPa. Values in brackets: preset accurate.", "cavity"};
   app.set_version_flag("--version", text("cavity, mote ", mote::version));
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_scene(app, o);
   add_method(app, o);
   add_output(app, o);

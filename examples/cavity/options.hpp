@@ -30,7 +30,7 @@ struct Options {
   int per_axis = 2;
   Fill fill = Fill::fraction;
   double jitter = 0;
-  std::uint64_t seed = 0;
+  std::int64_t seed = 0;
   Shape shape = Shape::quadratic;
   Transfer transfer = Transfer::apic;
   std::optional<double> flip_blend;  ///< 1 unless given

@@ -42,7 +42,7 @@ void fill(Solver& solver, const Material& metal, const Options& o) {
                     .velocity = {0.0, 0.0, o.speed},
                     .method = o.fill == Fill::lattice ? geometry::Method::lattice : geometry::Method::fraction,
                     .jitter = o.jitter,
-                    .seed = o.seed};
+                    .seed = std::uint64_t(o.seed)};
   if (o.radius > 0)
     solver.fill(block - geometry::Ball<3>{.centre = {0, 0, o.centre_z * um}, .radius = o.radius * um}, metal, how);
   else

@@ -26,13 +26,14 @@ refuses() {
   grep -qF -e "$sentence" stderr || fail "cavity $* said '$(cat stderr)', not '$sentence'"
   [ ! -s stdout ] || fail "cavity $* wrote to stdout"
   [ ! -e refused ] || fail "cavity $* made its directory"
+  rm -rf refused
 }
 
 bad_words() {
   refuses "'--speeed' is not an option" --speeed 3
   refuses "'more' is not an option" more
   refuses "speed" --speed fast
-  refuses "--seed" --seed -1
+  refuses "--seed is -1; it must be >= 0" --seed -1
   refuses "--preset is 'best'; choose paper, accurate or quick" --preset best
   refuses "--shape gimp is not available yet; choose linear or quadratic" --shape gimp
   refuses "--shape cubic is not available yet; choose linear or quadratic" --shape cubic
@@ -82,9 +83,9 @@ bad_cavities_and_combinations() {
 }
 
 bad_directories() {
-  mkdir full && touch full/something file
-  refuses "--out full is not empty; name another directory, or say --overwrite" --out full
-  [ "$(ls full)" = something ] || fail "a refused run touched its directory"
+  mkdir occupied && touch occupied/something file
+  refuses "--out occupied is not empty; name another directory, or say --overwrite" --out occupied
+  [ "$(ls occupied)" = something ] || fail "a refused run touched its directory"
   refuses "--out file is there and is no directory" --out file
   refuses "cannot be made" --out file/below
   if [ "$(id -u)" -ne 0 ]; then
@@ -161,7 +162,7 @@ overwriting() {
   [ ! -e again/frames/particles_0099.vtp ] || fail "--overwrite left an earlier run's frame"
 }
 
-# disk_full SENTENCE: exit code 1 and one sentence, and what is there of history.csv is whole rows
+# disk_full CODE: the exit code is 1, and there is one sentence
 disk_full() {
   local code=$1
   [ "$code" -eq 1 ] || fail "a full disk gives exit code $code, not 1"

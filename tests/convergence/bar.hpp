@@ -63,7 +63,16 @@ struct QuadraticApicUsl {
   transfer::Apic transfer;
   update::Usl update;
 };
-/// The same with a viscosity, to see what of the error is ringing.
+/// FLIP with a third of PIC: its dissipation takes the ringing away, as a viscosity would.
+struct BlendedQuadraticFlipUsl {
+  static constexpr const char* name = "quadratic FLIP 0.65 USL";
+  static auto timestep(double) { return timestep::Cfl{.courant = 0.4}; }
+  static auto material() { return aluminium; }
+  shape::QuadraticBSpline shape;
+  transfer::Flip transfer{.blend = 0.65};
+  update::Usl update;
+};
+/// Quadratic APIC with a viscosity, to see what of its error is ringing.
 struct DampedQuadraticApicUsl : QuadraticApicUsl {
   static constexpr const char* name = "quadratic APIC USL, viscous";
   static constexpr double spacing_over_dt = 7300 / 0.4;  // m/s; c + |v| stays below 7300

@@ -3,7 +3,8 @@
 // The bars of the project: P and sigma behind the plastic front within 0.5%, front speeds within 1%, h = 0.25 um.
 // Measured (docs/verification.md): quadratic APIC keeps the speeds. Its stresses are off by up to 0.7%: without a
 // viscosity the waves ring, the metal unloads elastically in each swing, and the mean deviator falls short of the
-// yield surface. With a viscous pressure all bars hold. Linear FLIP adds cell-crossing noise that does not fall with h,
+// yield surface. With a viscous pressure all bars hold, and also with quadratic FLIP that is a third PIC (blends from
+// 0.62 to 0.65 do; 0.9 rings like APIC, 0.5 smears the precursor of the strong shock by 1.5%). Linear FLIP adds cell-crossing noise that does not fall with h,
 // most of all in tension. Where a bar does not hold the bounds below are the measured errors, rounded up.
 #include "convergence/bar.hpp"
 
@@ -42,6 +43,14 @@ TEST_CASE("plane waves, quadratic APIC USL: front speeds within 1%, stresses wit
   for (const double launch : launches) {
     INFO("launch " << launch);
     check(bar::run(bar::QuadraticApicUsl{}, 0.25e-6, launch), {0.0075, 0.0075, 0.01, 0.01});
+  }
+}
+
+TEST_CASE("plane waves, quadratic FLIP with a third of PIC: stresses within 0.5%, front speeds within 1%") {
+  for (const double launch : launches) {
+    INFO("launch " << launch);
+    check(bar::run(bar::BlendedQuadraticFlipUsl{}, 0.25e-6, launch), {0.005, 0.005, 0.01, 0.01});
+    CHECK(order(bar::BlendedQuadraticFlipUsl{}, launch) > 0.4);
   }
 }
 
@@ -101,6 +110,7 @@ TEST_CASE("plane waves: table of errors", "[.][slow][table]") {
   std::printf("|---|---|---|---|---|---|---|---|---|---|\n");
   print_rows(bar::LinearFlipMusl{});
   print_rows(bar::QuadraticApicUsl{});
+  print_rows(bar::BlendedQuadraticFlipUsl{});
   print_rows(bar::DampedQuadraticApicUsl{});
 }
 
