@@ -68,8 +68,8 @@ struct Run {
 ///
 /// What a step guarantees: the answer does not depend on the executor or its number of threads, to the last bit. Columns
 /// keep their place unless a sort was due; sorts() counts those. A step that throws NumericalError (also from a worker
-/// thread) leaves the columns as the failed step left them, to be looked at or written, and every further step throws
-/// UsageError. One solver must not be used from two threads at once; two solvers may run side by side.
+/// thread) leaves the columns as the failed step left them, to be looked at or written; further steps throw UsageError
+/// until the columns have been mended and refresh() accepts them. One solver must not be used from two threads at once; two solvers may run side by side.
 template <class Grid, class Shape, class Transfer, class Update, class Timestep, class Execution, class Boundaries,
           class Loads, class Materials>
 class Solver {
@@ -149,8 +149,8 @@ class Solver {
     if (failed_) throw UsageError("mote: the solver failed in an earlier step and cannot go on");
     prepare();
     const auto started = std::chrono::steady_clock::now();
-    const double dt = next_dt(limit);
     failed_ = true;  // until the step is done
+    const double dt = next_dt(limit);
     phases_.begin(time_, dt);
     update_(phases_);
     time_ += dt;

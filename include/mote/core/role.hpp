@@ -77,6 +77,10 @@ constexpr auto pick_all(const Parts&... parts) {
 template <class R, class... Parts>
 inline constexpr int count_of = (0 + ... + int(detail::has_role<Parts, R>));
 
+/// How often T occurs among Ts.
+template <class T, class... Ts>
+inline constexpr int count_of_type = (0 + ... + int(std::is_same_v<T, Ts>));
+
 /// Whether every one of Parts states one of the roles R.
 template <class P, class... R>
 inline constexpr bool has_any_role = (detail::has_role<P, R> || ...);

@@ -18,6 +18,8 @@ class Phases;
 template <class Shape, class Transfer, class T, int D, class Execution, class Loads, class... Materials>
 class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> {
   using Bodies = std::tuple<Body<Materials, T, D, Transfer>...>;
+  static_assert((count_of_type<Materials, Materials...> + ...) == sizeof...(Materials),
+                "mote: two materials of one solver have the same C++ type; they are not told apart yet");
 
   Frame<T, D> frame_;
   Transfer transfer_;
@@ -165,7 +167,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
 
   template <class M>
   static constexpr bool holds = (std::is_same_v<M, Materials> || ...);
-  /// The body of a material; of several of one type, the first.
+  /// The body of a material. Two materials of one C++ type are not told apart yet (Solver refuses them).
   template <class M>
   auto& body_of() {
     return std::get<Body<M, T, D, Transfer>>(bodies_);
