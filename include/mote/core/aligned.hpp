@@ -32,4 +32,10 @@ struct CacheLineAllocator {
 template <class T>
 using AlignedVector = std::vector<T, detail::CacheLineAllocator<T>>;
 
+/// Room for n elements and a quarter more, so that a body that grows slowly allocates rarely.
+template <class V>
+void reserve_amply(V& v, std::size_t n) {
+  if (v.capacity() < n) v.reserve(n + n / 4);
+}
+
 }  // namespace mote

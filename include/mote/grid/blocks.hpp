@@ -47,10 +47,14 @@ struct Blocks {
   std::size_t nodes() const { return index.size() * std::size_t(block_nodes<D>); }
 
   void allocate(bool with_remapped) {
-    mass.resize(nodes());
-    velocity.resize(nodes() * node_width<D>);
-    previous.resize(velocity.size());
-    if (with_remapped) remapped.resize(velocity.size());
+    const auto resize = [](auto& field, std::size_t n) {
+      reserve_amply(field, n);
+      field.resize(n);
+    };
+    resize(mass, nodes());
+    resize(velocity, nodes() * node_width<D>);
+    resize(previous, velocity.size());
+    if (with_remapped) resize(remapped, velocity.size());
   }
 
   /// Number of the node with these coordinates, or `none` where no block is.

@@ -119,8 +119,9 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     reports_.resize(tiling_.tiles.size());
     for_each_tile([&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
     // room for the boxes at their largest: pages that are not touched cost nothing, and no step allocates
-    accumulators_.reserve(tiling_.tiles.size() * std::size_t(NodeBox<D>::capacity(Shape::support)) * 2 * grid::node_width<D>);
-    block_ledgers_.reserve(blocks_.index.size() + tiling_.plane_blocks.size());
+    reserve_amply(accumulators_,
+                  tiling_.tiles.size() * std::size_t(NodeBox<D>::capacity(Shape::support)) * 2 * grid::node_width<D>);
+    reserve_amply(block_ledgers_, blocks_.index.size() + tiling_.plane_blocks.size());
     check(step);
   }
 

@@ -26,7 +26,7 @@ class Sorter {
  public:
   /// Moves a body's particles into cell order and appends its tiles. Particles beyond a period come back into the domain.
   ///
-  /// `lost(p, why)` is called for a particle that is nowhere: not a number, or beyond a plane by more than a cell.
+  /// `lost(p, why)` is called for a particle that is nowhere: not a number, or beyond a plane by more than half a cell.
   template <class Shape, class B, class T, class Executor, class Lost>
   void operator()(B& body, std::vector<Tile<D>>& tiles, const Frame<T, D>& frame, const grid::Domain<D>& domain,
                   const Executor& executor, const Lost& lost) {
@@ -84,6 +84,7 @@ class Sorter {
 
   /// Counting sort, stable.
   void count(std::size_t n) {
+    reserve_amply(begin_, index_.size() * cells + 1);
     begin_.assign(index_.size() * cells + 1, 0);
     for (auto& s : slot_) {
       s = rank_[s / cells] * cells + s % cells;
