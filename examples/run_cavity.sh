@@ -39,7 +39,7 @@ install() {
   find_missing "$@"
 }
 
-# The row of history.csv at a time (ns), as "single low grid" for a word, min or max; nothing if the run does not have it.
+# Of history.csv at a time (ns): "single low grid" for a word, min or max; nothing if the run has no such sample.
 measured() {
   local columns=vz_min_m_s,vz_low_m_s,vz_min_grid_m_s
   [ "$3" = max ] && columns=vz_max_m_s,vz_high_m_s,vz_max_grid_m_s
@@ -50,7 +50,7 @@ measured() {
 
 compare() {
   echo
-  echo "v_z in m/s                  paper     single  12.5 um^3       grid   (extremes of: one particle, 12.5 um^3, nodes)"
+  echo "v_z in m/s                  paper     single  12.5 um^3       grid   (extremes of particles, 12.5 um^3, nodes)"
   local time which paper numbers
   while read -r time which paper; do
     numbers=$(measured "$1/history.csv" "$time" "$which")

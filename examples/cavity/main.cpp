@@ -54,10 +54,7 @@ int simulate(const Options& options, ProgressLine& line) {
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   line.finish();
   write_summary(options, result, wall);
-  if (!result.failure.empty()) {
-    line.say(result.failure);
-    return 1;
-  }
+  if (!result.failure.empty()) throw mote::NumericalError(result.failure);
   std::cout << closing_words(options, result, wall);
   return 0;
 }

@@ -76,8 +76,8 @@ void add_words(CLI::App& app, const Words<Enum>& words, Enum& value, const std::
 }
 
 void add_scene(CLI::App& app, Options& o) {
-  app.add_option("--preset", o.preset,
-                 "paper, accurate or quick: sets all the others, which may follow it [accurate]")->type_name("WORD");
+  app.add_option("--preset", o.preset, "paper, accurate or quick: sets all the others, which may follow it [accurate]")
+      ->type_name("WORD");
   app.add_option("--speed", o.speed, "launch speed away from the wall, m/s; negative: into it [100]");
   app.add_option("--until", o.until, "end of the run, ns [15]");
   app.add_option("--radius", o.radius, "of the cavity, um; 0: no cavity [5]");
@@ -113,8 +113,10 @@ void add_output(CLI::App& app, Options& o) {
 
 /// One pass over the command line.
 void read(int argc, const char* const* argv, Options& o) {
-  CLI::App app{"A spherical cavity in aluminium, torn open by the rarefaction wave from a wall (MPM).\n"
-               "Units: um, ns, m/s, K, MPa. Values in brackets: preset accurate.", "cavity"};
+  CLI::App app{
+      "A spherical cavity in aluminium, torn open by the rarefaction wave from a wall (MPM).\n"
+      "Units: um, ns, m/s, K, MPa. Values in brackets: preset accurate.",
+      "cavity"};
   app.set_version_flag("--version", text("cavity, mote ", mote::version));
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   add_scene(app, o);

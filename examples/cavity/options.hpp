@@ -22,9 +22,9 @@ inline constexpr double half_width = 20, height = 50;
 /// What a run is made of. The initial values are the preset `accurate`.
 struct Options {
   std::string preset = "accurate";
-  double speed = 100;  ///< m/s, away from the wall
-  double until = 15;   ///< ns
-  double radius = 5;   ///< um; 0: no cavity
+  double speed = 100;    ///< m/s, away from the wall
+  double until = 15;     ///< ns
+  double radius = 5;     ///< um; 0: no cavity
   double centre_z = 10;  ///< um
   double spacing = 1;    ///< um
   int per_axis = 2;

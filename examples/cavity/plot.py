@@ -3,8 +3,8 @@
 
 plot.py DIR      writes DIR/pictures/{histories,axis,cut,surface}.png
 
-Needs numpy and matplotlib; the cut and the surface need VTK's Python module, the surface a display or xvfb-run too. What
-cannot be made is left out, with the reason. Exit code: 0 all made, 3 some were left out, 1 none could be made.
+Needs numpy and matplotlib; the cut and the surface need VTK's Python module, the surface a display or xvfb-run too.
+What cannot be made is left out, with the reason. Exit code: 0 all made, 3 some were left out, 1 none could be made.
 """
 
 import json
@@ -142,14 +142,18 @@ def draw_axis(run, config, file):
     fields = [("vz_m_s", 1, "v_z  (m/s)"), ("p_mpa", 1e-3, "P  (GPa)")]
     for (diagram, lines), (name, scale, label) in zip(panels, fields):
         table = np.full((len(heights), len(times)), np.nan)
-        table[np.round((a["z_um"] - heights[0]) / step).astype(int), np.searchsorted(times, a["time_ns"])] = a[name] * scale
+        rows = np.round((a["z_um"] - heights[0]) / step).astype(int)
+        table[rows, np.searchsorted(times, a["time_ns"])] = a[name] * scale
         table = np.apply_along_axis(bridged, 0, table)
         limit = float(f"{np.nanpercentile(np.abs(table), 99.5):.1g}") or 1
-        mesh = diagram.contourf(times, heights, table, levels=np.linspace(-limit, limit, 41), cmap="RdBu_r", extend="both")
+        mesh = diagram.contourf(times, heights, table,
+                                levels=np.linspace(-limit, limit, 40),  # none at 0 or at the
+                                cmap="RdBu_r", extend="both")  # launch speed, where round-off would show
         diagram.plot(times, np.full(len(times), heights[-1] + 2 * step), "kv", ms=4, clip_on=False)
         diagram.set_facecolor("#dddddd")
-        diagram.set(xlabel="time  (ns)", ylabel="z  (µm)", title=f"{label.split()[0]} on the axis (grey: cavity; ▼ frames)")
-        figure.colorbar(mesh, ax=diagram, label=label)
+        diagram.set(xlabel="time  (ns)", ylabel="z  (µm)",
+                    title=f"{label.split()[0]} on the axis (grey: cavity; ▼ frames)")
+        figure.colorbar(mesh, ax=diagram, label=label, ticks=np.linspace(-limit, limit, 9))
         shown = np.unique(np.linspace(0, len(times) - 1, 7).astype(int))
         for k, i in enumerate(shown):
             lines.plot(heights, table[:, i], color=plt.cm.viridis(k / max(len(shown) - 1, 1) * 0.92), lw=1.4,

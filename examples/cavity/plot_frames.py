@@ -85,7 +85,8 @@ def panel_fields(frames):
         known = f["volume_fraction"] > 0.05
         inside = refined(f["volume_fraction"]) >= 0.5
         show = {}
-        for label, name, scale in (("v_z  (m/s)", "velocity", 1), ("P  (GPa)", "pressure", 1e-9), ("T  (K)", "temperature", 1)):
+        for label, name, scale in (("v_z  (m/s)", "velocity", 1), ("P  (GPa)", "pressure", 1e-9),
+                                   ("T  (K)", "temperature", 1)):
             if name in f:
                 show[label] = np.where(inside, scale * refined(extended(f[name], known)), np.nan)
         panels.append((time, (y[0], y[-1], z[0], z[-1]), show))
@@ -193,7 +194,8 @@ def draw_surface(run, title, centre_z, file):
     bounds = np.array([s.GetBounds() for s in surfaces])
     low, high = bounds[:, 4].min(), bounds[:, 5].max()
     half_height = 0.62 * max(high - low, (bounds[:, 1] - bounds[:, 0]).max())
-    figure, grid = plt.subplots(1, len(chosen), figsize=(3.2 * len(chosen) + 1, 4.4), squeeze=False, layout="constrained")
+    figure, grid = plt.subplots(1, len(chosen), squeeze=False, layout="constrained",
+                                figsize=(3.2 * len(chosen) + 1, 4.4))
     for axes, surface, (_, time), box in zip(grid[0], surfaces, chosen, bounds):
         e = half_height
         axes.imshow(render(surface, (-limit, limit), (low + high) / 2, half_height), extent=(-e, e, -e, e))

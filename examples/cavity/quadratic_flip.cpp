@@ -7,7 +7,9 @@ namespace transfer = mote::transfer;
 namespace update = mote::update;
 
 const std::array<Combination, 2> quadratic_flip{
-    combination<shape::QuadraticBSpline, transfer::Flip, update::Usl, double>(Shape::quadratic, Transfer::flip, Update::usl),
-    combination<shape::QuadraticBSpline, transfer::Flip, update::Musl, double>(Shape::quadratic, Transfer::flip, Update::musl)};
+    combination<shape::QuadraticBSpline, transfer::Flip, update::Usl, double>(Shape::quadratic, Transfer::flip,
+                                                                              Update::usl),
+    combination<shape::QuadraticBSpline, transfer::Flip, update::Musl, double>(Shape::quadratic, Transfer::flip,
+                                                                               Update::musl)};
 
 }  // namespace cavity

@@ -93,9 +93,7 @@ double estimate_steps(const Options& o) {
   return samples < 1 ? std::ceil(o.until / dt) : std::ceil(samples * std::ceil(o.sample / dt));
 }
 
-double estimate_whole_body(const Options& o) {
-  return estimate_particles(o) * (o.domain == Domain::quarter ? 4 : 1);
-}
+double estimate_whole_body(const Options& o) { return estimate_particles(o) * (o.domain == Domain::quarter ? 4 : 1); }
 
 /// Memory: the program, columns, what sort and grid add to them, and a frame, which is of the whole body.
 double estimate_bytes(const Options& o, const Combination& c) {

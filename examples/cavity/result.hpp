@@ -23,8 +23,8 @@ struct Voice {
 struct Result {
   std::size_t particles = 0, steps = 0;
   int threads = 1;
-  double step_seconds = 0;              ///< wall time in steps, without observers
-  std::string failure;                  ///< the NumericalError that ended the run; empty: none
+  double step_seconds = 0;  ///< wall time in steps, without observers
+  std::string failure;      ///< the NumericalError that ended the run; empty: none
   mote::observe::Sample first, last;
 };
 

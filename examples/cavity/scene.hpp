@@ -1,14 +1,15 @@
 /// \file
-/// The scene: aluminium with a spherical cavity, launched off a rigid wall. Everything that mote is asked to do is here.
+/// The scene: aluminium with a spherical cavity, launched off a rigid wall. Everything that mote is asked to do is
+/// here.
 #pragma once
 
 #include <filesystem>
 #include <mote/mote.hpp>
 #include <mote/observe/axis_profile.hpp>
-#include <mote/observe/vti.hpp>
-#include <mote/observe/vtp.hpp>
 #include <mote/observe/history.hpp>
 #include <mote/observe/progress.hpp>
+#include <mote/observe/vti.hpp>
+#include <mote/observe/vtp.hpp>
 
 #include "result.hpp"
 
@@ -39,10 +40,10 @@ void fill(Solver& solver, const Material& metal, const Options& o) {
   const double w = half_width * um;
   const geometry::Box<3> block{.lower = {-w, -w, 0}, .upper = {w, w, height * um}};
   const mote::Fill<3> how{.per_axis = o.per_axis,
-                    .velocity = {0.0, 0.0, o.speed},
-                    .method = o.fill == Fill::lattice ? geometry::Method::lattice : geometry::Method::fraction,
-                    .jitter = o.jitter,
-                    .seed = std::uint64_t(o.seed)};
+                          .velocity = {0.0, 0.0, o.speed},
+                          .method = o.fill == Fill::lattice ? geometry::Method::lattice : geometry::Method::fraction,
+                          .jitter = o.jitter,
+                          .seed = std::uint64_t(o.seed)};
   if (o.radius > 0)
     solver.fill(block - geometry::Ball<3>{.centre = {0, 0, o.centre_z * um}, .radius = o.radius * um}, metal, how);
   else
