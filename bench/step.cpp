@@ -91,12 +91,16 @@ void two_threads_linear_flip_musl(benchmark::State& s) { threads(s, Linear{}, Fl
 
 }  // namespace
 
-#define MOTE_BENCH(name) BENCHMARK(name)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7)
-MOTE_BENCH(linear_flip_musl);
-MOTE_BENCH(linear_flip_usl);
-MOTE_BENCH(quadratic_apic_usl);
-MOTE_BENCH(quadratic_flip_usl);
-MOTE_BENCH(two_threads_quadratic_apic);
-MOTE_BENCH(two_threads_linear_flip_musl);
-
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  const auto add = [](const char* name, void (*f)(benchmark::State&)) {
+    benchmark::RegisterBenchmark(name, f)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7);
+  };
+  add("linear_flip_musl", linear_flip_musl);
+  add("linear_flip_usl", linear_flip_usl);
+  add("quadratic_apic_usl", quadratic_apic_usl);
+  add("quadratic_flip_usl", quadratic_flip_usl);
+  add("two_threads/quadratic_apic", two_threads_quadratic_apic);
+  add("two_threads/linear_flip_musl", two_threads_linear_flip_musl);
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}
