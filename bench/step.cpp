@@ -1,8 +1,9 @@
 /// \file
 /// What does a step cost per particle, beside a fair textbook loop on the same scene in the same run?
 ///
-/// Both take steps in turn, one thread each, so that a drift of the machine's speed hits both; counters are medians over
-/// the rounds. The textbook loop has a dense grid, a structure of arrays and the order of the fill, which is good for it.
+/// Both take steps in turn, one thread each, so that a drift of the machine's speed hits both; counters are medians
+/// over the rounds. The textbook loop has a dense grid, a structure of arrays and the order of the fill, which is good
+/// for it.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -37,8 +38,14 @@ void beside_textbook(benchmark::State& state, Shape shape, Transfer transfer, Up
   std::vector<double> ours, theirs;
   constexpr int steps = 5;
   for (auto _ : state) {
-    ours.push_back(seconds([&] { for (int i = 0; i < steps; ++i) solver->step(dt); }) / steps);
-    theirs.push_back(seconds([&] { for (int i = 0; i < steps; ++i) loop.step(dt); }) / steps);
+    ours.push_back(seconds([&] {
+                     for (int i = 0; i < steps; ++i) solver->step(dt);
+                   }) /
+                   steps);
+    theirs.push_back(seconds([&] {
+                       for (int i = 0; i < steps; ++i) loop.step(dt);
+                     }) /
+                     steps);
     state.SetIterationTime(ours.back());
   }
   const double n = 1e9 / double(solver->size());
@@ -78,8 +85,14 @@ void threads(benchmark::State& state, Shape shape, Transfer transfer, Update upd
   std::vector<double> t1, t2;
   constexpr int steps = 5;
   for (auto _ : state) {
-    t1.push_back(seconds([&] { for (int i = 0; i < steps; ++i) one->step(); }) / steps);
-    t2.push_back(seconds([&] { for (int i = 0; i < steps; ++i) two->step(); }) / steps);
+    t1.push_back(seconds([&] {
+                   for (int i = 0; i < steps; ++i) one->step();
+                 }) /
+                 steps);
+    t2.push_back(seconds([&] {
+                   for (int i = 0; i < steps; ++i) two->step();
+                 }) /
+                 steps);
     state.SetIterationTime(t2.back());
   }
   state.counters["one_thread_ns"] = 1e9 * median(t1) / double(one->size());

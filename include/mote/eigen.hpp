@@ -47,9 +47,7 @@ auto to_mat(const Eigen::MatrixBase<Derived>& a) {
 
 /// A particle column as an Eigen vector, without a copy: `as_vector(particles.column<field::Mass>()).sum()`.
 template <class T>
-Eigen::Map<Eigen::VectorX<std::remove_const_t<T>>> as_vector(std::span<T> column)
-  requires(!std::is_const_v<T>)
-{
+Eigen::Map<Eigen::VectorX<std::remove_const_t<T>>> as_vector(std::span<T> column) requires(!std::is_const_v<T>) {
   return {column.data(), Eigen::Index(column.size())};
 }
 template <class T>
@@ -60,7 +58,8 @@ Eigen::Map<const Eigen::VectorX<T>> as_vector(std::span<const T> column) {
 /// Principal values of a stress or strain, smallest first, in its own unit.
 template <class T>
 Vec<T, 3> principal_values(const SymTensor<T>& a) {
-  return to_vec(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 3, 3>>(to_eigen(a), Eigen::EigenvaluesOnly).eigenvalues());
+  return to_vec(
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<T, 3, 3>>(to_eigen(a), Eigen::EigenvaluesOnly).eigenvalues());
 }
 
 /// The rotation R of F = R U, from the singular values; det F must be positive.

@@ -13,11 +13,11 @@ namespace mote {
 /// How Solver::fill places particles.
 template <int D>
 struct Fill {
-  int per_axis = 2;          ///< particles per cell and axis, 1 to 64
+  int per_axis = 2;           ///< particles per cell and axis, 1 to 64
   VectorField<D> velocity{};  ///< initial velocity, m/s: constant or a function of position
   geometry::Method method = geometry::Method::lattice;
-  double jitter = 0;         ///< random displacement as a part of the particle distance, 0 to 0.5
-  std::uint64_t seed = 0;    ///< of the jitter
+  double jitter = 0;       ///< random displacement as a part of the particle distance, 0 to 0.5
+  std::uint64_t seed = 0;  ///< of the jitter
 };
 
 /// Appends the particles of a region to a body; what lies beyond the domain's boundaries is left out. A region that
@@ -27,7 +27,7 @@ std::size_t append_fill(B& body, const R& region, const M& material, const Fill<
                         const passes::Frame<T, D>& frame, const grid::Domain<D>& domain, std::size_t next_id) {
   static_assert(R::dimension == D, "mote: the region and the grid differ in dimension");
   auto seeds = geometry::seeds(region, geometry::Lattice<D>{frame.spacing, how.per_axis, frame.origin},
-                                     {.method = how.method, .jitter = how.jitter, .seed = how.seed});
+                               {.method = how.method, .jitter = how.jitter, .seed = how.seed});
   std::erase_if(seeds, [&](const auto& s) {
     for (int a = 0; a < D; ++a)
       if (!domain.contains(a, s.position[a])) return true;

@@ -45,7 +45,8 @@ class Material {
   template <class V, class T>
   static constexpr bool plastic_for() {
     if constexpr (StrengthFor<Strength, V>)
-      return !std::is_void_v<decltype(std::declval<const Strength&>().update(std::declval<V&>(), std::declval<Kinematics<T>>()))>;
+      return !std::is_void_v<decltype(std::declval<const Strength&>().update(std::declval<V&>(),
+                                                                             std::declval<Kinematics<T>>()))>;
     else
       return false;
   }
@@ -65,8 +66,7 @@ class Material {
   /// Whether the strength dissipates; then the specific plastic work is stored.
   static constexpr bool plastic = plastic_for<Example, double>();
 
-  using particle_fields =
-      union_of<base_fields, std::conditional_t<plastic, fields<field::PlasticWork>, fields<>>>;
+  using particle_fields = union_of<base_fields, std::conditional_t<plastic, fields<field::PlasticWork>, fields<>>>;
 
   template <class T, int D = 3>
   using State = Values<T, D, particle_fields>;
@@ -86,8 +86,9 @@ class Material {
     static_assert(n<mote::role::Strength, Parts...> <= 1, "mote: a material takes at most one strength");
     static_assert(n<mote::role::Heat, Parts...> <= 1, "mote: a material takes at most one heat policy");
     static_assert(n<mote::role::Viscosity, Parts...> <= 1, "mote: a material takes at most one viscosity");
-    static_assert((has_any_role<Parts, mote::role::Eos, mote::role::Strength, mote::role::Heat, mote::role::Viscosity> && ...),
-                  "mote: a material takes an equation of state, a strength, a heat policy and a viscosity only");
+    static_assert(
+        (has_any_role<Parts, mote::role::Eos, mote::role::Strength, mote::role::Heat, mote::role::Viscosity> && ...),
+        "mote: a material takes an equation of state, a strength, a heat policy and a viscosity only");
     const auto check = [](const auto& part) {
       if constexpr (requires { part.validate(); }) part.validate();
     };
@@ -223,7 +224,8 @@ class Material {
   template <int D, class To, class From, class... Tags>
   static void copy_lane(To& to, const From& from, int l, fields<Tags...>) {
     const auto copy = [&]<class Tag>(Tag) {
-      for (int i = 0; i < count<Tag, D>(); ++i) component<Tag>(get<Tag>(to), i) = lane(component<Tag>(get<Tag>(from), i), l);
+      for (int i = 0; i < count<Tag, D>(); ++i)
+        component<Tag>(get<Tag>(to), i) = lane(component<Tag>(get<Tag>(from), i), l);
     };
     (copy(Tags{}), ...);
   }

@@ -57,7 +57,7 @@ inline constexpr bool are_loads<std::tuple<L...>, D> = (LoadIn<L, D> && ...);
 
 /// How long a run lasts.
 struct Run {
-  double until;                                                    ///< s
+  double until;  ///< s
   std::size_t max_steps = std::numeric_limits<std::size_t>::max();
 };
 
@@ -66,25 +66,30 @@ struct Run {
 ///   needed     grid, shape function, transfer, time step, one or more materials
 ///   optional   update order (update::Usl), execution (execution::Serial), sleep (sleep::Never), boundaries, loads
 ///
-/// What a step guarantees: the answer does not depend on the executor or its number of threads, to the last bit. Columns
-/// keep their place unless a sort was due; sorts() counts those. A step that throws NumericalError (also from a worker
-/// thread) leaves the columns as the failed step left them, to be looked at or written; further steps throw UsageError
-/// until the columns have been mended and refresh() accepts them. One solver must not be used from two threads at once; two solvers may run side by side.
+/// What a step guarantees: the answer does not depend on the executor or its number of threads, to the last bit.
+/// Columns keep their place unless a sort was due; sorts() counts those. A step that throws NumericalError (also from a
+/// worker thread) leaves the columns as the failed step left them, to be looked at or written; further steps throw
+/// UsageError until the columns have been mended and refresh() accepts them. One solver must not be used from two
+/// threads at once; two solvers may run side by side.
 template <class Grid, class Shape, class Transfer, class Update, class Timestep, class Execution, class Boundaries,
           class Loads, class Materials>
 class Solver {
-  static_assert(!std::is_same_v<Grid, detail::MissingGrid>, "mote: no grid given; add e.g. grid::Cartesian<3>{.spacing = h}");
-  static_assert(!std::is_same_v<Shape, detail::Missing>, "mote: no shape function given; add e.g. shape::QuadraticBSpline{}");
+  static_assert(!std::is_same_v<Grid, detail::MissingGrid>,
+                "mote: no grid given; add e.g. grid::Cartesian<3>{.spacing = h}");
+  static_assert(!std::is_same_v<Shape, detail::Missing>,
+                "mote: no shape function given; add e.g. shape::QuadraticBSpline{}");
   static_assert(!std::is_same_v<Transfer, detail::Missing>, "mote: no transfer given; add e.g. transfer::Apic{}");
   static_assert(!std::is_same_v<Timestep, detail::Missing>, "mote: no time step given; add e.g. timestep::Cfl{}");
-  static_assert(std::tuple_size_v<Materials> > 0, "mote: no material given; add e.g. a Material{eos::..., strength::...}");
+  static_assert(std::tuple_size_v<Materials> > 0,
+                "mote: no material given; add e.g. a Material{eos::..., strength::...}");
   static_assert(mote::Shape<Shape> || std::is_same_v<Shape, detail::Missing>,
                 "mote: the shape function lacks a member; shape/concept.hpp lists them");
   static_assert(mote::Transfer<Transfer> || std::is_same_v<Transfer, detail::Missing>,
                 "mote: the transfer lacks a member; transfer/concept.hpp lists them");
   static_assert(mote::Execution<Execution>, "mote: the executor lacks a member; execution/concept.hpp lists them");
   static_assert(detail::are_boundaries<Boundaries>, "mote: a boundary lacks a member; boundary/concept.hpp lists them");
-  static_assert(detail::are_loads<Loads, Grid::dimension>, "mote: a load does not fit the grid's dimension, or has no "
+  static_assert(detail::are_loads<Loads, Grid::dimension>,
+                "mote: a load does not fit the grid's dimension, or has no "
                 "acceleration(position, time)");
 
  public:
@@ -137,8 +142,7 @@ class Solver {
   std::size_t fill(const R& region, const M& material, const Fill<D>& how) {
     static_assert(Phases::template holds<M>, "mote: fill() was given a material that the solver does not hold");
     auto& body = phases_.template body_of<M>();
-    const std::size_t added =
-        append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
+    const std::size_t added = append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
     next_id_ += added;
     sorted_ = false;
     return added;
@@ -167,7 +171,8 @@ class Solver {
   /// Steps land on the observers' times.
   template <class... Observers>
   void run(const Run& run, Observers&&... observers) {
-    require(run.until > time_, "the run lasts until ", run.until, " s; it must lie after the present time, ", time_, " s");
+    require(run.until > time_, "the run lasts until ", run.until, " s; it must lie after the present time, ", time_,
+            " s");
     prepare();
     (observers.begin(*this, run), ...);
     for (std::size_t n = 0; time_ < run.until && n < run.max_steps; ++n) {
@@ -179,17 +184,17 @@ class Solver {
     (observers.end(*this), ...);
   }
 
-  /// Sorts particles and surveys their speeds if columns were written or particles added; step() does so by itself after
-  /// fill(). Call it after writing columns from outside.
+  /// Sorts particles and surveys their speeds if columns were written or particles added; step() does so by itself
+  /// after fill(). Call it after writing columns from outside.
   void refresh() { sort(); }
 
-  double time() const { return time_; }                  ///< s
-  double last_dt() const { return last_dt_; }            ///< s
+  double time() const { return time_; }        ///< s
+  double last_dt() const { return last_dt_; }  ///< s
   std::size_t steps() const { return steps_; }
-  double seconds() const { return seconds_; }            ///< wall time spent in steps so far, s
-  std::size_t sorts() const { return sorts_; }           ///< after one, particles have changed their places in the columns
+  double seconds() const { return seconds_; }   ///< wall time spent in steps so far, s
+  std::size_t sorts() const { return sorts_; }  ///< after one, particles have changed their places in the columns
   double spacing() const { return phases_.frame().spacing; }  ///< m
-  std::size_t size() const { return phases_.size(); }    ///< particles of all bodies
+  std::size_t size() const { return phases_.size(); }         ///< particles of all bodies
 
   /// The columns of body i, in the order of the materials given.
   template <int I = 0>
@@ -241,8 +246,9 @@ class Solver {
     const double dt = timestep_(spacing(), phases_.max_speed());
     if (first_dt_ == 0) first_dt_ = dt;
     if (!(dt > 1e-6 * first_dt_))
-      throw NumericalError(text("mote: the time step has collapsed to ", dt, " s in step ", steps_ + 1, " (it began with ",
-                                first_dt_, " s): a particle is much too fast or too stiff; ", phases_.describe_fastest(steps_ + 1),
+      throw NumericalError(text("mote: the time step has collapsed to ", dt, " s in step ", steps_ + 1,
+                                " (it began with ", first_dt_, " s): a particle is much too fast or too stiff; ",
+                                phases_.describe_fastest(steps_ + 1),
                                 ". Try a smaller Courant number, update::Musl or transfer::Apic"));
     return std::min(dt, limit);
   }
@@ -261,11 +267,11 @@ class Solver {
 };
 
 template <class... Parts>
-Solver(const Parts&...)
-    -> Solver<detail::First<role::Grid, detail::MissingGrid, Parts...>, detail::First<role::Shape, detail::Missing, Parts...>,
-              detail::First<role::Transfer, detail::Missing, Parts...>, detail::First<role::Update, update::Usl, Parts...>,
-              detail::First<role::Timestep, detail::Missing, Parts...>,
-              detail::First<role::Execution, execution::Serial, Parts...>, detail::AllOf<role::Boundary, Parts...>,
-              detail::AllOf<role::Load, Parts...>, detail::AllOf<role::Material, Parts...>>;
+Solver(const Parts&...) -> Solver<
+    detail::First<role::Grid, detail::MissingGrid, Parts...>, detail::First<role::Shape, detail::Missing, Parts...>,
+    detail::First<role::Transfer, detail::Missing, Parts...>, detail::First<role::Update, update::Usl, Parts...>,
+    detail::First<role::Timestep, detail::Missing, Parts...>,
+    detail::First<role::Execution, execution::Serial, Parts...>, detail::AllOf<role::Boundary, Parts...>,
+    detail::AllOf<role::Load, Parts...>, detail::AllOf<role::Material, Parts...>>;
 
 }  // namespace mote

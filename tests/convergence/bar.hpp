@@ -120,8 +120,13 @@ template <class Scheme>
 Errors run(const Scheme& scheme, double spacing, double launch_speed) {
   const auto wave = exact::plane_wave(aluminium, launch_speed);
   const auto material = scheme.material();
-  Solver solver{grid::Cartesian<1>{.spacing = spacing}, scheme.shape, scheme.transfer, scheme.update,
-                scheme.timestep(spacing), boundary::RigidWall{.side = side::x_min, .at = 0}, material};
+  Solver solver{grid::Cartesian<1>{.spacing = spacing},
+                scheme.shape,
+                scheme.transfer,
+                scheme.update,
+                scheme.timestep(spacing),
+                boundary::RigidWall{.side = side::x_min, .at = 0},
+                material};
   solver.fill(geometry::Box<1>{.lower = {0}, .upper = {length}}, material,
               {.per_axis = 2, .velocity = Vec<double, 1>{launch_speed}});
   solver.refresh();  // into the order of the line

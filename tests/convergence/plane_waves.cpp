@@ -4,8 +4,9 @@
 // Measured (docs/verification.md): quadratic APIC keeps the speeds. Its stresses are off by up to 0.7%: without a
 // viscosity the waves ring, the metal unloads elastically in each swing, and the mean deviator falls short of the
 // yield surface. With a viscous pressure all bars hold, and also with quadratic FLIP that is a third PIC (blends from
-// 0.62 to 0.65 do; 0.9 rings like APIC, 0.5 smears the precursor of the strong shock by 1.5%). Linear FLIP adds cell-crossing noise that does not fall with h,
-// most of all in tension. Where a bar does not hold the bounds below are the measured errors, rounded up.
+// 0.62 to 0.65 do; 0.9 rings like APIC, 0.5 smears the precursor of the strong shock by 1.5%). Linear FLIP adds
+// cell-crossing noise that does not fall with h, most of all in tension. Where a bar does not hold the bounds below are
+// the measured errors, rounded up.
 #include "convergence/bar.hpp"
 
 #include <algorithm>

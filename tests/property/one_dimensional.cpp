@@ -12,10 +12,9 @@ namespace {
 
 using namespace mote;
 
-const Material aluminium{
-    eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
-    strength::VonMises{.shear_modulus = 69e9 / (2 * 1.33), .yield = 120e6, .hardening = 384e6},
-    heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
+const Material aluminium{eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
+                         strength::VonMises{.shear_modulus = 69e9 / (2 * 1.33), .yield = 120e6, .hardening = 384e6},
+                         heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
 
 constexpr double h = 1e-6, height = 25e-6;
 
@@ -34,8 +33,14 @@ template <int D, class Shape, class Transfer, class Update, class... Sides>
 Profile run(const Shape& shape, const Transfer& transfer, const Update& update, double launch, double width,
             const Sides&... sides) {
   constexpr int n = D - 1;
-  Solver solver{grid::Cartesian<D>{.spacing = h}, shape, transfer, update, timestep::Fixed{0.4 * h / 7500},
-                boundary::RigidWall{.side = Side{n, false}, .at = 0}, aluminium, sides...};
+  Solver solver{grid::Cartesian<D>{.spacing = h},
+                shape,
+                transfer,
+                update,
+                timestep::Fixed{0.4 * h / 7500},
+                boundary::RigidWall{.side = Side{n, false}, .at = 0},
+                aluminium,
+                sides...};
   Vec<double, D> lower{}, upper = Vec<double, D>::filled(width), velocity{};
   upper[n] = height, velocity[n] = launch;
   solver.fill(geometry::Box<D>{.lower = lower, .upper = upper}, aluminium, {.per_axis = 2, .velocity = velocity});

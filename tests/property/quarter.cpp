@@ -15,10 +15,9 @@ namespace {
 using namespace mote;
 
 constexpr double um = 1e-6;
-const Material aluminium{
-    eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
-    strength::VonMises{.shear_modulus = 69e9 / (2 * 1.33), .yield = 120e6, .hardening = 384e6},
-    heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
+const Material aluminium{eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
+                         strength::VonMises{.shear_modulus = 69e9 / (2 * 1.33), .yield = 120e6, .hardening = 384e6},
+                         heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
 
 using Place = std::array<long, 3>;  // initial position, in units of 10 pm
 using Velocities = std::map<Place, Vec<double, 3>>;
@@ -26,8 +25,13 @@ using Velocities = std::map<Place, Vec<double, 3>>;
 /// Velocities at 3 ns of the particles that began in x, y > 0.
 template <class Scheme, class... Sides>
 Velocities run(const Scheme& scheme, geometry::Method fill, const Sides&... sides) {
-  Solver solver{grid::Cartesian<3>{.spacing = 2.5 * um}, scheme.shape, scheme.transfer, scheme.update,
-                timestep::Fixed{0.4 * 2.5 * um / 7500}, boundary::RigidWall{.side = side::z_min, .at = 0}, aluminium,
+  Solver solver{grid::Cartesian<3>{.spacing = 2.5 * um},
+                scheme.shape,
+                scheme.transfer,
+                scheme.update,
+                timestep::Fixed{0.4 * 2.5 * um / 7500},
+                boundary::RigidWall{.side = side::z_min, .at = 0},
+                aluminium,
                 sides...};
   const geometry::Box<3> block{.lower = {-20 * um, -20 * um, 0}, .upper = {20 * um, 20 * um, 50 * um}};
   const geometry::Ball<3> cavity{.centre = {0, 0, 10 * um}, .radius = 5 * um};
@@ -43,9 +47,8 @@ Velocities run(const Scheme& scheme, geometry::Method fill, const Sides&... side
   Velocities velocities;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (places[id[i]][0] > 0 && places[id[i]][1] > 0) velocities[places[id[i]]] = p.template get<field::Velocity>(i);
-  REQUIRE(velocities.size() == std::size_t(std::count_if(places.begin(), places.end(), [](const Place& at) {
-            return at[0] > 0 && at[1] > 0;
-          })));
+  REQUIRE(velocities.size() == std::size_t(std::count_if(places.begin(), places.end(),
+                                                         [](const Place& at) { return at[0] > 0 && at[1] > 0; })));
   return velocities;
 }
 

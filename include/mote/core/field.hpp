@@ -29,7 +29,7 @@ struct Vector {
 };
 struct Matrix {
   template <int D>
-  static constexpr int components = D * D;
+  static constexpr int components = D* D;
   template <class T, int D>
   using value = Mat<T, D>;
 };
@@ -129,7 +129,7 @@ struct ParticleFieldsOf {
   using type = fields<>;
 };
 template <class P>
-  requires requires { typename P::particle_fields; }
+requires requires { typename P::particle_fields; }
 struct ParticleFieldsOf<P> {
   using type = typename P::particle_fields;
 };

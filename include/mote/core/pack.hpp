@@ -57,13 +57,13 @@ struct Simd {
 
   Simd() = default;
   template <class S>
-    requires std::is_arithmetic_v<S>
+  requires std::is_arithmetic_v<S>
   [[gnu::always_inline]] Simd(S s) {
     for (auto& r : v) r = T(s) - V{};  // s - 0 is s, even for -0: a bare broadcast
   }
   /// Lane i is f(i).
   template <class F>
-    requires std::is_invocable_r_v<T, F, int>
+  requires std::is_invocable_r_v<T, F, int>
   [[gnu::always_inline]] explicit Simd(F f) {
     for (int i = 0; i < N; ++i) v[i / R::each][i % R::each] = T(f(i));
   }
@@ -160,10 +160,7 @@ inline constexpr bool is_pack = !std::is_same_v<T, Scalar<T>>;
 
 /// `yes` where the condition holds, `no` elsewhere; both are computed.
 template <class T>
-  requires(!is_pack<T>)
-constexpr T select(bool condition, const T& yes, const T& no) {
-  return condition ? yes : no;
-}
+requires(!is_pack<T>) constexpr T select(bool condition, const T& yes, const T& no) { return condition ? yes : no; }
 template <class T, int N>
 [[gnu::always_inline]] inline Simd<T, N> select(const SimdMask<T, N>& condition, const Simd<T, N>& yes,
                                                 const Simd<T, N>& no) {
@@ -233,8 +230,8 @@ Simd<T, N> log(const Simd<T, N>& a) {
   return detail::by_lane(a, [](T x) { return std::log(x); });
 }
 template <class T, int N>
-Simd<T, N> pow(const Simd<T, N>& a, T exponent) {
-  return detail::by_lane(a, [exponent](T x) { return std::pow(x, exponent); });
+Simd<T, N> pow(const Simd<T, N>& a, T e) {
+  return detail::by_lane(a, [e](T x) { return std::pow(x, e); });
 }
 
 /// The largest lane.
@@ -261,13 +258,10 @@ template <class T, int N>
   return r;
 }
 
-/// Lane i of a pack, or the number itself.
-template <class T>
-constexpr Scalar<T> lane(const T& value, int i) {
-  if constexpr (is_pack<T>)
-    return value[std::size_t(i)];
-  else
-    return value;
+/// Lane i of a pack.
+template <class T, int N>
+constexpr T lane(const Simd<T, N>& value, int i) {
+  return value[std::size_t(i)];
 }
 
 template <class V>

@@ -36,7 +36,7 @@ namespace detail {
 template <class P, class R>
 inline constexpr bool has_role = false;
 template <class P, class R>
-  requires HasRole<P, R>
+requires HasRole<P, R>
 inline constexpr bool has_role<P, R> = true;
 
 template <class R, class Default, class... Parts>

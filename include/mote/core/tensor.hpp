@@ -154,7 +154,8 @@ constexpr SymTensor<T> deviator(const SymTensor<T>& a) {
 template <class T>
 constexpr SymTensor<T> sym(const Mat<T, 3>& a) {
   const T half(0.5);
-  return {{a(0, 0), a(1, 1), a(2, 2), half * (a(0, 1) + a(1, 0)), half * (a(1, 2) + a(2, 1)), half * (a(0, 2) + a(2, 0))}};
+  return {
+      {a(0, 0), a(1, 1), a(2, 2), half * (a(0, 1) + a(1, 0)), half * (a(1, 2) + a(2, 1)), half * (a(0, 2) + a(2, 0))}};
 }
 
 /// R s R^T.

@@ -1,6 +1,6 @@
 /// \file
-/// What an equation of state offers. Everything is a function of x = V/V0 = J and of `excess`, the specific energy above
-/// the reference curve, J/kg; T may be a number or a pack.
+/// What an equation of state offers. Everything is a function of x = V/V0 = J and of `excess`, the specific energy
+/// above the reference curve, J/kg; T may be a number or a pack.
 #pragma once
 
 #include <concepts>

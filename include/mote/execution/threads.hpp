@@ -113,8 +113,7 @@ class Threads {
   using role = mote::role::Execution;
 
   /// \param count 1 to 1024 threads, or 0 for as many as the machine has.
-  explicit Threads(int count = 0)
-      : count_(count > 0 ? count : std::max(1, int(std::thread::hardware_concurrency()))) {
+  explicit Threads(int count = 0) : count_(count > 0 ? count : std::max(1, int(std::thread::hardware_concurrency()))) {
     require(count >= 0 && count <= 1024, "the number of threads is ", count, "; it must be in [0, 1024]");
     pool_ = std::make_shared<detail::Pool>(count_);
   }

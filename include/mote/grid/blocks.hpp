@@ -16,7 +16,8 @@ inline constexpr int block_edge = 4;
 
 /// Nodes of a block.
 template <int D>
-inline constexpr int block_nodes = D == 1 ? block_edge : (D == 2 ? block_edge * block_edge : block_edge * block_edge * block_edge);
+inline constexpr int block_nodes = D == 1 ? block_edge
+                                          : (D == 2 ? block_edge * block_edge : block_edge * block_edge * block_edge);
 
 /// Numbers by which a vector of D components is stored on a node: a power of two, to load it at once. The first half of
 /// an accumulator also holds the mass.
@@ -39,10 +40,10 @@ int local_index(const IVec<D>& node) {
 template <class T, int D>
 struct Blocks {
   BlockIndex<D> index;
-  AlignedVector<T> mass;        ///< kg
-  AlignedVector<T> velocity;    ///< m/s, after forces and boundaries
-  AlignedVector<T> previous;    ///< m/s, as the particles brought it, before the forces
-  AlignedVector<T> remapped;    ///< m/s, from the particles' new velocities; empty unless the update asks for it
+  AlignedVector<T> mass;      ///< kg
+  AlignedVector<T> velocity;  ///< m/s, after forces and boundaries
+  AlignedVector<T> previous;  ///< m/s, as the particles brought it, before the forces
+  AlignedVector<T> remapped;  ///< m/s, from the particles' new velocities; empty unless the update asks for it
 
   std::size_t nodes() const { return index.size() * std::size_t(block_nodes<D>); }
 

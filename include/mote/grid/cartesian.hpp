@@ -19,8 +19,8 @@ struct Cartesian {
   static constexpr int dimension = D;
   static_assert(D >= 1 && D <= 3, "mote: a grid has 1, 2 or 3 dimensions");
 
-  double spacing;                 ///< h, m, > 0
-  Vec<double, D> origin = {};     ///< position of node 0, m
+  double spacing;              ///< h, m, > 0
+  Vec<double, D> origin = {};  ///< position of node 0, m
 
   void validate() const { require(spacing > 0, "the grid spacing is ", spacing, " m; it must be > 0"); }
 };

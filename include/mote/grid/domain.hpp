@@ -38,7 +38,8 @@ class Domain {
   };
 
   template <class Boundaries>
-  Domain(double spacing, const Vec<double, D>& origin, const Boundaries& boundaries) : spacing_(spacing), origin_(origin) {
+  Domain(double spacing, const Vec<double, D>& origin, const Boundaries& boundaries)
+      : spacing_(spacing), origin_(origin) {
     int part = 0;
     std::apply([&](const auto&... b) { (add(b, part++), ...); }, boundaries);
     for (int a = 0; a < D; ++a) {
@@ -74,9 +75,11 @@ class Domain {
   /// Whether x lies between the planes of an axis, or in the period.
   bool contains(int axis, double x) const {
     const double xi = (x - origin_[axis]) / spacing_, slack = 1e-9;
-    if (periodic_[axis] && (xi < periodic_[axis]->from - slack || xi > periodic_[axis]->from + periodic_[axis]->count + slack))
+    if (periodic_[axis] &&
+        (xi < periodic_[axis]->from - slack || xi > periodic_[axis]->from + periodic_[axis]->count + slack))
       return false;
-    return !(planes_[axis][0] && xi < planes_[axis][0]->node - slack) && !(planes_[axis][1] && xi > planes_[axis][1]->node + slack);
+    return !(planes_[axis][0] && xi < planes_[axis][0]->node - slack) &&
+           !(planes_[axis][1] && xi > planes_[axis][1]->node + slack);
   }
   double lower(int axis) const { return origin_[axis] + spacing_ * periodic_[axis]->from; }
   double period(int axis) const { return periodic_[axis] ? periodic_[axis]->count * spacing_ : 0; }
@@ -105,8 +108,8 @@ class Domain {
     check_axis(b.side.axis);
     auto& plane = planes_[b.side.axis][b.side.upper];
     require(!plane, "side ", detail::side_name(b.side), " has two boundaries; it takes one");
-    plane = Plane<D>{b.side.axis, b.side.upper, node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)), {}, B::body_beyond,
-                     part};
+    plane = Plane<D>{b.side.axis, b.side.upper,   node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)),
+                     {},          B::body_beyond, part};
     for (int c = 0; c < D; ++c) plane->odd[std::size_t(c)] = B::odd(c, b.side.axis);
     part_of_plane_.push_back(part);
   }
@@ -119,8 +122,9 @@ class Domain {
   std::int32_t node(int axis, double x, const std::string& what) const {
     const double xi = (x - origin_[axis]) / spacing_;
     const double nearest = std::round(xi);
-    require(std::abs(xi - nearest) < 1e-6 && std::abs(nearest) < 2e9, what, " lies at ", x, " m; it must lie on a grid node, e.g. at ",
-            origin_[axis] + nearest * spacing_, " m (grid spacing ", spacing_, " m)");
+    require(std::abs(xi - nearest) < 1e-6 && std::abs(nearest) < 2e9, what, " lies at ", x,
+            " m; it must lie on a grid node, e.g. at ", origin_[axis] + nearest * spacing_, " m (grid spacing ",
+            spacing_, " m)");
     return std::int32_t(nearest);
   }
 

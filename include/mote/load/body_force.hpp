@@ -20,14 +20,13 @@ class VectorField {
   VectorField() = default;
   VectorField(const Vec<double, D>& constant) : constant_(constant) {}
   template <class... N>
-    requires(sizeof...(N) == D && (std::is_arithmetic_v<N> && ...))
-  VectorField(N... n) : constant_{double(n)...} {}
+  requires(sizeof...(N) == D && (std::is_arithmetic_v<N> && ...)) VectorField(N... n) : constant_{double(n)...} {}
   template <class F>
-    requires std::is_invocable_r_v<Vec<double, D>, F, const Vec<double, D>&, double>
-  VectorField(F f) : function_(std::move(f)) {}
+  requires std::is_invocable_r_v < Vec<double, D>, F,
+  const Vec<double, D>&, double > VectorField(F f) : function_(std::move(f)) {}
   template <class F>
-    requires std::is_invocable_r_v<Vec<double, D>, F, const Vec<double, D>&>
-  VectorField(F f) : function_([f](const Vec<double, D>& x, double) { return f(x); }) {}
+  requires std::is_invocable_r_v < Vec<double, D>, F,
+  const Vec<double, D>& > VectorField(F f) : function_([f](const Vec<double, D>& x, double) { return f(x); }) {}
 
   bool is_constant() const { return !function_; }
   Vec<double, D> operator()(const Vec<double, D>& x, double time = 0) const {

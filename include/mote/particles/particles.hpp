@@ -21,7 +21,7 @@ struct Stored {
   using type = T;
 };
 template <class Tag, class T>
-  requires requires { typename Tag::stored; }
+requires requires { typename Tag::stored; }
 struct Stored<Tag, T> {
   using type = typename Tag::stored;
 };

@@ -27,8 +27,8 @@ struct Body {
 /// What a tile reports of its particles after a pass.
 struct TileReport {
   static constexpr std::uint32_t fine = ~std::uint32_t(0);
-  double max_speed = 0;            ///< max (c + |v|), m/s
-  std::uint32_t failed = fine;     ///< first particle that is no number or beyond its equation of state
+  double max_speed = 0;         ///< max (c + |v|), m/s
+  std::uint32_t failed = fine;  ///< first particle that is no number or beyond its equation of state
 };
 
 /// Where the nodes are.
@@ -42,8 +42,7 @@ struct Frame {
   /// Positions in cells relative to the first node of a tile's block: small numbers, exact in single precision too.
   Vec<Pack<T>, D> in_cells(const Vec<Pack<T>, D>& x, const IVec<D>& block) const {
     Vec<Pack<T>, D> xi;
-    for (int a = 0; a < D; ++a)
-      xi[a] = (x[a] - T(node_position(a, block[a] * grid::block_edge))) * T(1 / spacing);
+    for (int a = 0; a < D; ++a) xi[a] = (x[a] - T(node_position(a, block[a] * grid::block_edge))) * T(1 / spacing);
     return xi;
   }
 };
@@ -51,7 +50,8 @@ struct Frame {
 /// Calls f(first, n) for the packs of a tile's particles.
 template <int D, class F>
 void for_each_pack(const Tile<D>& tile, const F& f) {
-  for (std::uint32_t i = 0; i < tile.count; i += lanes) f(std::size_t(tile.first + i), std::min(lanes, int(tile.count - i)));
+  for (std::uint32_t i = 0; i < tile.count; i += lanes)
+    f(std::size_t(tile.first + i), std::min(lanes, int(tile.count - i)));
 }
 
 /// Packs of components to one record per lane, and back.

@@ -115,7 +115,8 @@ struct Range {
   }
 };
 
-/// Speed of the fastest signal, and the first particle that is not a number or that the equation of state does not cover.
+/// Speed of the fastest signal, and the first particle that is not a number or that the equation of state does not
+/// cover.
 template <class B, class V>
 void report(const B& body, const V& p, std::size_t first, int n, TileReport& out) {
   using std::sqrt;
@@ -133,8 +134,9 @@ void report(const B& body, const V& p, std::size_t first, int n, TileReport& out
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
 /// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
 template <Task task, class Shape, class Transfer, class B, class T, int D>
-[[gnu::flatten]] TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile, const std::vector<Link<D>>& links,
-                       const grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, double dt, T* accumulators) {
+[[gnu::flatten]] TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile,
+                                        const std::vector<Link<D>>& links, const grid::Blocks<T, D>& blocks,
+                                        const Frame<T, D>& frame, double dt, T* accumulators) {
   constexpr int width = 2 * grid::node_width<D>;
   constexpr bool moves = task != Task::velocity_and_remap, takes_velocity = task != Task::deform;
   const NodeBox<D> box(tile, Shape::support);
@@ -143,15 +145,18 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   if constexpr (!moves) std::fill_n(accumulators + tile.buffer * width, box.size * width, T(0));
   TileReport result;
   Range<D> range;
-  using Deforms = std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
-  using Moves = std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>;
+  using Deforms =
+      std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
+  using Moves =
+      std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>;
   using Written = union_of<Deforms, Moves>;
   using Mass = std::conditional_t<moves, fields<>, fields<field::Mass>>;
   for_each_pack(tile, [&](std::size_t first, int n) {
     Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Mass, Written>> p;
     body.particles.load(first, n, p);
     Stencil<T, D, Shape> stencil;
-    stencil.template set<true, Transfer::affine && takes_velocity>(frame.in_cells(get<field::Position>(p), tile.block), box);
+    stencil.template set<true, Transfer::affine && takes_velocity>(frame.in_cells(get<field::Position>(p), tile.block),
+                                                                   box);
     const PackSums<task, Shape, Transfer, T, D> sums(nodes, box, stencil, n);
     const auto grid_velocity = sums.velocity(frame.spacing);
     if constexpr (takes_velocity) transfer.update(p, grid_velocity);
@@ -165,8 +170,8 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
     } else {
       Pack<T> value[width], axis[D][width];
       momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
-      scatter_pack<Transfer::affine, Transfer::affine ? Halves::moment_slope : Halves::slope_slope>(accumulators + tile.buffer * width, box,
-                                                                                stencil, n, value, axis);
+      scatter_pack<Transfer::affine, Transfer::affine ? Halves::moment_slope : Halves::slope_slope>(
+          accumulators + tile.buffer * width, box, stencil, n, value, axis);
     }
     body.particles.store(first, n, p, Written{});
   });

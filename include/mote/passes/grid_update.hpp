@@ -81,7 +81,7 @@ GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, con
       old[a] = over_m * record[1 + a];
       gain[a] = T(dt) * (over_m * record[half + a]);
     }
-    if constexpr (std::tuple_size_v<Loads> > 0) {
+    if constexpr (std::tuple_size_v < Loads >> 0) {
       if (m > T(0)) {
         const Vec<T, D> pushed = load_gain<T, D>(blocks.coordinates(node), frame, loads, time, dt);
         ledger.load_work += double(m * dot(pushed, old + T(0.5) * (gain + pushed)));
@@ -113,7 +113,7 @@ struct Images {
   };
   std::array<Image, 64> image;
   int count = 0;
-  std::array<int, D> held;  ///< per component: the boundary part that flips it in some image or on its plane, or -1
+  std::array<int, D> held;   ///< per component: the boundary part that flips it in some image or on its plane, or -1
   std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
   std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
 
@@ -176,8 +176,8 @@ struct Images {
   Vec<T, D> symmetric_mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, int k) const {
     const Image& from = image[std::size_t(k)];
     T mass;
-    return reflect(mean_over(blocks, field, mass, zero_by_symmetry, [&](const Image& i) { return i.walls == from.walls; }),
-                   from);
+    return reflect(
+        mean_over(blocks, field, mass, zero_by_symmetry, [&](const Image& i) { return i.walls == from.walls; }), from);
   }
 
  private:
@@ -192,8 +192,7 @@ struct Images {
       mass += blocks.mass[im.node];
       momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node), im);
     }
-    for (int c = 0; c < D; ++c)
-      momentum[c] = vanishes[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
+    for (int c = 0; c < D; ++c) momentum[c] = vanishes[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
     return momentum;
   }
 };
@@ -205,8 +204,8 @@ struct Images {
 /// the whole body at a symmetry plane, and as the particles brought it at a wall, so that FLIP feels the wall.
 /// \param kept the part of its own velocity that a particle keeps (Transfer)
 template <class T, int D>
-GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support,
-                             double kept) {
+GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
+                             int support, double kept) {
   GridLedger<D> ledger;
   Images<D> images;
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };

@@ -46,7 +46,11 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
         executor_(executor),
         domain_(grid.spacing, grid.origin, boundaries),
         loads_(loads),
-        bodies_(std::apply([](const auto&... m) { return Bodies{{m, {}, 0, 0}...}; }, materials)),
+        bodies_(std::apply(
+            [](const auto&... m) {
+              return Bodies{{m, {}, 0, 0}...};
+            },
+            materials)),
         remaps_(remaps) {}
 
   /// A step of length dt starts at `time`.
@@ -111,13 +115,16 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   void sort(S& sorter, std::size_t step) {
     tiling_.tiles.clear();
     for_each_body([&](auto& body) {
-      const auto lost = [&](std::size_t p, const char* why) { throw NumericalError(describe_lost(body, p, why, step)); };
+      const auto lost = [&](std::size_t p, const char* why) {
+        throw NumericalError(describe_lost(body, p, why, step));
+      };
       sorter.template operator()<Shape>(body, tiling_.tiles, frame_, domain_, executor_, lost);
     });
     linker_(tiling_, blocks_, domain_, Shape::support);
     blocks_.allocate(remaps_);
     reports_.resize(tiling_.tiles.size());
-    for_each_tile([&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
+    for_each_tile(
+        [&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
     // room for the boxes at their largest: pages that are not touched cost nothing, and no step allocates
     reserve_amply(accumulators_,
                   tiling_.tiles.size() * std::size_t(NodeBox<D>::capacity(Shape::support)) * 2 * grid::node_width<D>);
@@ -207,8 +214,8 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   template <Task task>
   void gather_all() {
     for_each_tile([&](auto& body, std::uint32_t t) {
-      const TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_, dt_,
-                                                    accumulators_.data());
+      const TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_,
+                                                    dt_, accumulators_.data());
       if constexpr (task != Task::velocity_and_remap) reports_[t] = r;
     });
   }
@@ -234,8 +241,9 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     if (!std::isfinite(norm(v)))
       return text("mote: ", describe(body, p, step), ", has the velocity (", listed(v),
                   ") m/s. Try a smaller Courant number, update::Musl or transfer::Apic");
-    return text("mote: ", describe(body, p, step), ", has V/V0 = ", body.particles.template column<field::VolumeRatio>()[p],
-                ", which its equation of state does not cover. Try a smaller Courant number, a finer grid or a lower speed");
+    return text(
+        "mote: ", describe(body, p, step), ", has V/V0 = ", body.particles.template column<field::VolumeRatio>()[p],
+        ", which its equation of state does not cover. Try a smaller Courant number, a finer grid or a lower speed");
   }
 };
 

@@ -56,7 +56,8 @@ void scatter_pack(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s
 ///
 /// Records of the tile's nodes: [m, p | f].
 ///
-/// Flattened, like the other passes over tiles: a pack that is handed over in memory costs more than what is done to it.
+/// Flattened, like the other passes over tiles: a pack that is handed over in memory costs more than what is done to
+/// it.
 template <class Shape, class Transfer, class B, class T, int D>
 [[gnu::flatten]] void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame, T* accumulators) {
   constexpr int width = 2 * grid::node_width<D>;
@@ -74,8 +75,8 @@ template <class Shape, class Transfer, class B, class T, int D>
     Pack<T> value[width], axis[D][width];
     momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
     const SymTensor<Pack<T>> stress = body.material.stress(p);
-    const Pack<T> volume_over_h = get<field::Mass>(p) * get<field::VolumeRatio>(p) *
-                                  T(-1 / (body.material.rho0() * frame.spacing));
+    const Pack<T> volume_over_h =
+        get<field::Mass>(p) * get<field::VolumeRatio>(p) * T(-1 / (body.material.rho0() * frame.spacing));
     for (int a = 0; a < D; ++a)
       for (int i = 0; i < D; ++i) axis[a][grid::node_width<D> + i] = volume_over_h * stress(i, a);
     scatter_pack<true, halves>(nodes, box, stencil, n, value, axis);

@@ -13,9 +13,9 @@ namespace mote::passes {
 template <int D>
 class Sorter {
   grid::BlockIndex<D> index_;
-  std::vector<std::uint32_t> slot_;     // per particle: block number and cell within it
-  std::vector<std::uint32_t> begin_;    // per slot, in the final order
-  std::vector<std::uint32_t> order_;    // final place -> particle
+  std::vector<std::uint32_t> slot_;   // per particle: block number and cell within it
+  std::vector<std::uint32_t> begin_;  // per slot, in the final order
+  std::vector<std::uint32_t> order_;  // final place -> particle
   std::vector<std::uint32_t> rank_, by_rank_;
   std::vector<std::vector<std::byte>> scratch_;
   std::vector<void (*)(void*, const Sorter&, std::vector<std::byte>&)> movers_;
@@ -24,7 +24,8 @@ class Sorter {
   static constexpr std::uint32_t cells = std::uint32_t(grid::block_nodes<D>);
 
  public:
-  /// Moves a body's particles into cell order and appends its tiles. Particles beyond a period come back into the domain.
+  /// Moves a body's particles into cell order and appends its tiles. Particles beyond a period come back into the
+  /// domain.
   ///
   /// `lost(p, why)` is called for a particle that is nowhere: not a number, or beyond a plane by more than half a cell.
   template <class Shape, class B, class T, class Executor, class Lost>
@@ -64,7 +65,8 @@ class Sorter {
       if (!(xi > -far && xi < far)) lost(p, "is not on the grid");
       for (int end = 0; end < 2; ++end)
         if (const auto& plane = domain.plane(a, end))
-          if ((end ? xi - plane->node : plane->node - xi) > 0.5) lost(p, "has left the domain through a wall or symmetry plane");
+          if ((end ? xi - plane->node : plane->node - xi) > 0.5)
+            lost(p, "has left the domain through a wall or symmetry plane");
       node[a] = std::int32_t(std::floor(xi - Shape::first));
       block[a] = grid::block_of(node[a]);
     }

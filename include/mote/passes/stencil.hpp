@@ -27,8 +27,8 @@ struct Stencil {
   alignas(64) T value[D][support][lanes];
   alignas(64) T slope[D][support][lanes];
   alignas(64) T moment[D][support][lanes];
-  int node[lanes];              ///< the lowest node's number in the tile's box
-  int relative[D][lanes];       ///< the lowest node relative to the tile's block
+  int node[lanes];         ///< the lowest node's number in the tile's box
+  int relative[D][lanes];  ///< the lowest node relative to the tile's block
 
   /// \param xi positions in cells, relative to the first node of the tile's block
   template <bool Slopes, bool Moments>
@@ -63,14 +63,15 @@ struct Stencil {
       return Record(slope[a][i][l]);
     } else {
       constexpr bool slope_first = H == Halves::slope_moment;
-      const T first = slope_first ? slope[a][i][l] : moment[a][i][l], second = slope_first ? moment[a][i][l] : slope[a][i][l];
+      const T first = slope_first ? slope[a][i][l] : moment[a][i][l],
+              second = slope_first ? moment[a][i][l] : slope[a][i][l];
       return mote::halves<T, width>(first, second);
     }
   }
 
  private:
-  /// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of the
-  /// same expression, or a column that was written from outside, from reaching beyond it.
+  /// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of
+  /// the same expression, or a column that was written from outside, from reaching beyond it.
   static Pack<T> inside(const Pack<T>& base, int lo, int hi, int (&whole)[lanes]) {
     for (int& w : whole) w = std::clamp(w, lo, hi);
     return max(min(base, Pack<T>(hi)), Pack<T>(lo));
@@ -109,7 +110,8 @@ template <bool Axes, Halves H, class T, int D, class Shape>
   if constexpr (D == 1) {
     row(first, sum.value, sum.axis[0]);
   } else {
-    const auto plane = [&](const T* at, Record& value, Record& along_y, Record& along_z) __attribute__((always_inline)) {
+    const auto plane = [&](const T* at, Record& value, Record& along_y, Record& along_z)
+        __attribute__((always_inline)) {
       constexpr int y = D - 2;
       value = along_y = along_z = Record(0);
       for (int j = 0; j < n; ++j) {
@@ -143,10 +145,11 @@ template <bool Axes, Halves H, class T, int D, class Shape>
   return sum;
 }
 
-/// Adds to the nodes of particle l: value weights times `value` plus (with Axes), per axis, axis-wise weights times axis[a].
+/// Adds to the nodes of particle l: value weights times `value` plus (with Axes), per axis, axis-wise weights times
+/// axis[a].
 template <bool Axes, Halves H, class T, int D, class Shape, class Record>
-[[gnu::always_inline]] inline void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l, const Record& value,
-             const Record (&axis)[D]) {
+[[gnu::always_inline]] inline void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l,
+                                           const Record& value, const Record (&axis)[D]) {
   constexpr int n = Shape::support, width = int(Record::size()), z = D - 1;
   T* first = nodes + std::ptrdiff_t(s.node[l]) * width;
   Record w[n], u[n];
@@ -158,7 +161,7 @@ template <bool Axes, Halves H, class T, int D, class Shape, class Record>
     if constexpr (Axes) sum += more;
     return sum;
   };
-  const auto row = [&](T* at, const Record& value_xy, const Record& along) __attribute__((always_inline)) {
+  const auto row = [&](T * at, const Record& value_xy, const Record& along) __attribute__((always_inline)) {
     for (int k = 0; k < n; ++k)
       write(Record(read<Record>(at + k * width) + add(w[k] * value_xy, u[k] * along)), at + k * width);
   };
@@ -166,12 +169,12 @@ template <bool Axes, Halves H, class T, int D, class Shape, class Record>
     row(first, value, axis[0]);
   } else {
     constexpr int y = D - 2;
-    const auto plane = [&](T* at, const Record& value_x, const Record& along_y, const Record& along_z)
-                           __attribute__((always_inline)) {
+    const auto plane = [&](T * at, const Record& value_x, const Record& along_y, const Record& along_z)
+        __attribute__((always_inline)) {
       for (int j = 0; j < n; ++j) {
         const Record wj(s.value[y][j][l]);
-        row(at + j * box.stride[std::size_t(y)] * width, add(wj * value_x, s.template axis_weight<H>(y, j, l) * along_y),
-            wj * along_z);
+        row(at + j * box.stride[std::size_t(y)] * width,
+            add(wj * value_x, s.template axis_weight<H>(y, j, l) * along_y), wj * along_z);
       }
     };
     if constexpr (D == 2) {

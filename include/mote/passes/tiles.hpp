@@ -21,10 +21,10 @@ inline constexpr int lowest = -drift, highest = grid::block_edge - 1 + drift;
 template <int D>
 struct Tile {
   IVec<D> block;
-  std::uint32_t first, count;              ///< particles
-  std::array<std::int8_t, D> lo, hi;       ///< range of the particles' lowest nodes, relative to the block
+  std::uint32_t first, count;         ///< particles
+  std::array<std::int8_t, D> lo, hi;  ///< range of the particles' lowest nodes, relative to the block
   std::uint32_t links_begin, links_end;
-  std::uint64_t buffer;                    ///< first node of its accumulators
+  std::uint64_t buffer;  ///< first node of its accumulators
 
   bool strayed() const {
     for (int a = 0; a < D; ++a)
@@ -96,7 +96,7 @@ void for_each_row(const Link<D>& link, const NodeBox<D>& box, const F& f) {
 template <int D>
 struct Tiling {
   std::vector<Tile<D>> tiles;
-  std::vector<Link<D>> links;                   ///< by tile
+  std::vector<Link<D>> links;                    ///< by tile
   std::vector<std::uint32_t> block_links_begin;  ///< per block, into block_links; one more than blocks
   std::vector<std::uint32_t> block_links;        ///< numbers of links, by block, in the order of tiles
   std::vector<std::uint32_t> plane_blocks;       ///< blocks with nodes that a mirror plane changes

@@ -7,9 +7,9 @@
 
 namespace mote::transfer {
 
-/// v_p <- blend (v_p + sum w dv) + (1 - blend) sum w v: a particle takes the grid's change of velocity (FLIP), or a part
-/// `1 - blend` of the velocity itself (PIC, which damps). Conserves linear momentum; dissipates almost nothing, and so
-/// keeps the noise of single particles. Source: Brackbill and Ruppel, JCP 65 (1986) 314.
+/// v_p <- blend (v_p + sum w dv) + (1 - blend) sum w v: a particle takes the grid's change of velocity (FLIP), or a
+/// part `1 - blend` of the velocity itself (PIC, which damps). Conserves linear momentum; dissipates almost nothing,
+/// and so keeps the noise of single particles. Source: Brackbill and Ruppel, JCP 65 (1986) 314.
 struct Flip {
   using role = mote::role::Transfer;
   static constexpr bool affine = false;

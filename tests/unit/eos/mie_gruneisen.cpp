@@ -119,7 +119,8 @@ TEST_CASE("Mie-Grueneisen: the reference heating is d(E_H)/dx + P_H V0, and zero
       CHECK(aluminium.reference_heating(x) == 0);
     } else {
       const auto energy = [](double y) { return aluminium.hugoniot_pressure(y) * (1 - y) / (2 * 2700); };
-      const double expected = slope(energy, x, std::min(1e-3 * (x - 0.2537), (1 - x) / 3)) + aluminium.hugoniot_pressure(x) / 2700;
+      const double expected =
+          slope(energy, x, std::min(1e-3 * (x - 0.2537), (1 - x) / 3)) + aluminium.hugoniot_pressure(x) / 2700;
       // two large numbers cancel
       if (x < 0.9995)
         CHECK(std::abs(aluminium.reference_heating(x) - expected) < 1e-9 * 5350 * 5350 / std::pow(x - 0.2537, 3));
