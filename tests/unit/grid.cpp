@@ -117,7 +117,7 @@ TEST_CASE("node indices wrap into the period, negative ones too", "[grid]") {
   CHECK(d.wrapped(1, 100) == 100);  // another axis
 }
 
-TEST_CASE("positions wrap into [from, to)", "[grid]") {
+TEST_CASE("positions wrap into the period", "[grid]") {
   const auto d = domain(boundary::Periodic{.axis = axis::y, .from = -2e-6, .to = 5e-6});
   CHECK(d.wrapped_position(1, 6e-6) == Approx(-1e-6));
   CHECK(d.wrapped_position(1, -2.5e-6) == Approx(4.5e-6));

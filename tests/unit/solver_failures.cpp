@@ -71,7 +71,7 @@ TEST_CASE("compression beyond the equation of state names V/V0", "[solver][failu
   CHECK_THAT(message([&] { solver->refresh(); }), ContainsSubstring(expected));
 }
 
-TEST_CASE("a step that compresses too far fails; its columns stay readable, and there is no further step",
+TEST_CASE("a step that compresses too far fails, its columns stay readable, and there is no further step",
           "[solver][failure]") {
   const auto solver = on_a_wall(0, execution::Threads(2), timestep::Fixed{.dt = 1e-11});
   auto& particles = solver->particles();

@@ -64,7 +64,7 @@ TEST_CASE("axis profile: means of the column, periods and gaps", "[axis_profile]
   CHECK(found.size() == (centre == 0 ? 12 : 24));  // the cavity leaves a gap in the column through it
 }
 
-TEST_CASE("axis profile: rows of a file at frame times; one dimension; no temperature", "[axis_profile]") {
+TEST_CASE("axis profile: rows of a file at frame times, one dimension, no temperature", "[axis_profile]") {
   const Material water{eos::LinearBulk{.rho0 = 1000, .bulk_modulus = 2e9}};
   Solver solver{grid::Cartesian<1>{.spacing = um}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{}, water};
   solver.fill(geometry::Box<1>{.lower = {0}, .upper = {2 * um}}, water, {.per_axis = 2, .velocity = {0.5}});

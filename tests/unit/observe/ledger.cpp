@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("ledger: sums over particles", "[ledger]", double, float) {
   CHECK(four.work == Approx(4 * found.work).epsilon(1e-15));
 }
 
-TEST_CASE("ledger: momentum is what wall and load gave; energies add up", "[ledger]") {
+TEST_CASE("ledger: momentum is what wall and load gave, energies add up", "[ledger]") {
   auto solver = scene<double>(1);
   fill(solver);
   solver.refresh();
