@@ -2,7 +2,8 @@
 # Builds the cavity program, runs it, makes pictures, and compares the result with the paper.
 #
 #   examples/run_cavity.sh                 the preset quick, into cavity-out
-#   examples/run_cavity.sh ARGUMENTS...    passes the arguments on to cavity (cavity --help lists them)
+#   examples/run_cavity.sh ARGUMENTS...    passes the arguments on to cavity (cavity --help lists them;
+#                                          without --preset it runs the preset accurate)
 #
 # Installs what is missing with apt. Exit code: 0 done (also if the plotting packages cannot be had), 2 packages are
 # missing or the command line is wrong, 1 anything else.

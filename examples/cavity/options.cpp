@@ -126,6 +126,9 @@ void read(int argc, const char* const* argv, Options& o) {
   add_words(app, sleeps, sleep, "skip material at rest (on is not available yet) [off]");
   double conductivity = 0;
   app.add_option("--conductivity", conductivity, "W/(m K); only 0 is available yet [0]");
+  for (int i = 1; i < argc; ++i)
+    if (const std::string word = argv[i]; word.empty() || word.back() == '=')
+      throw BadOption(text("'", i > 1 && word.empty() ? argv[i - 1] : argv[i], "' has no value"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

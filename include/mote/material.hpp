@@ -85,7 +85,8 @@ class Material {
     static_assert(n<mote::role::Eos, Parts...> == 1, "mote: a material needs exactly one equation of state");
     static_assert(n<mote::role::Strength, Parts...> <= 1, "mote: a material takes at most one strength");
     static_assert(n<mote::role::Heat, Parts...> <= 1, "mote: a material takes at most one heat policy");
-    static_assert(n<mote::role::Viscosity, Parts...> <= 1, "mote: a material takes at most one viscosity");
+    static_assert(std::is_same_v<Viscosity, mote::viscosity::None>,
+                  "mote: no viscosity but viscosity::None is available yet");
     static_assert(
         (has_any_role<Parts, mote::role::Eos, mote::role::Strength, mote::role::Heat, mote::role::Viscosity> && ...),
         "mote: a material takes an equation of state, a strength, a heat policy and a viscosity only");

@@ -129,6 +129,8 @@ class Solver {
     static_assert(count_of<role::Update, Parts...> <= 1, "mote: a solver takes one update order");
     static_assert(count_of<role::Timestep, Parts...> <= 1, "mote: a solver takes one time step policy");
     static_assert(count_of<role::Execution, Parts...> <= 1, "mote: a solver takes one executor");
+    static_assert(((!detail::has_role<Parts, role::Sleep> || std::is_same_v<Parts, sleep::Never>)&&...),
+                  "mote: no sleep policy but sleep::Never is available yet");
     const auto check = [](const auto& part) {
       if constexpr (requires { part.validate(); }) part.validate();
     };
@@ -150,11 +152,10 @@ class Solver {
 
   /// One step of the length that the time step policy gives, and at most `limit` seconds. \return its length, s
   double step(double limit = std::numeric_limits<double>::infinity()) {
-    if (failed_) throw UsageError("mote: the solver failed in an earlier step and cannot go on");
-    prepare();
     const auto started = std::chrono::steady_clock::now();
-    failed_ = true;  // until the step is done
+    prepare();
     const double dt = next_dt(limit);
+    failed_ = true;  // until the step is done
     phases_.begin(time_, dt);
     update_(phases_);
     time_ += dt;
@@ -230,6 +231,9 @@ class Solver {
 
  private:
   void prepare() {
+    if (failed_)
+      throw UsageError(
+          "mote: the solver failed in an earlier step; mend its columns and call refresh(), or start anew");
     if (size() == 0) throw UsageError("mote: there are no particles; call fill() before the first step");
     if (!sorted_) sort();
   }

@@ -61,8 +61,10 @@ bad_values() {
   refuses "--per-axis is 0; it must be from 1 to 8" --per-axis 0
   refuses "--per-axis is 9; it must be from 1 to 8" --per-axis 9
   refuses "--jitter is 0.6; it must be from 0 to 0.5" --jitter 0.6
-  refuses "--courant is 0; it must be > 0 and at most 1" --courant 0
-  refuses "--courant is 1.5; it must be > 0 and at most 1" --courant 1.5
+  refuses "'--speed' has no value" --speed ""
+  refuses "'--until=' has no value" --until= --dry-run
+  refuses "--courant is 0; it must be from 0.001 to 1" --courant 0
+  refuses "--courant is 1.5; it must be from 0.001 to 1" --courant 1.5
   refuses "--threads is -1; it must be from 0 (all) to 1024" --threads -1
   refuses "--frames is 1; it must be 0 (none) or from 2" --frames 1
   refuses "--speed is 1e+06 m/s; it must be from -5000 to 5000" --speed 1e6
@@ -123,6 +125,26 @@ runs() {
   good quarter --fill lattice
   good float --precision float --frames 0
   good into-wall --speed -100 --jitter 0.2 --seed 7 --frames 0 --threads 3 --flip-blend 0.9 --transfer flip
+}
+
+# Every column of a quarter's history is the full body's, to 1e-6 of the column's maximum.
+quarter_is_full() {
+  local domain
+  for domain in full quarter; do
+    "$cavity" --spacing 2.5 --until 3 --frames 0 --quiet --domain $domain --out "history-$domain" >stdout 2>stderr ||
+      fail "a $domain domain to 3 ns does not run: $(cat stderr)"
+  done
+  paste -d, history-full/history.csv history-quarter/history.csv | awk -F, '
+    NR == 1 { columns = NF / 2; for (c = 1; c <= columns; ++c) name[c] = $c; next }
+    { for (c = 1; c <= columns; ++c) {
+        a = $c; b = $(c + columns)
+        if ((a == "nan") != (b == "nan")) { print name[c] " is nan in one run only"; exit 1 }
+        if (a == "nan") continue
+        size = a < 0 ? -a : a + 0; gap = a > b ? a - b : b - a
+        if (size > largest[c]) largest[c] = size
+        if (gap > apart[c]) apart[c] = gap } }
+    END { for (c = 1; c <= columns; ++c) if (apart[c] > 1e-6 * largest[c]) { print name[c] " differs by " apart[c]; exit 1 } }
+    ' >stdout || fail "the histories of a quarter and of the full body differ: $(cat stdout)"
 }
 
 outputs() {
@@ -200,6 +222,7 @@ bad_cavities_and_combinations
 bad_directories
 dry_run
 runs
+quarter_is_full
 outputs
 overwriting
 full_disks

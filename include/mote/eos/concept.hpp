@@ -13,7 +13,7 @@ namespace mote {
 
 /// E::rho0                             reference density, kg/m^3
 /// E::pressure(x, excess)              Pa, positive in compression
-/// E::bulk_sound_speed2(x, excess)     m^2/s^2 at fixed excess, -(V0 x^2/rho0...) see each policy
+/// E::bulk_sound_speed2(x, excess)     m^2/s^2, -V^2 dP/dV at fixed excess
 /// E::reference_energy(x)              J/kg, the work done along the reference curve from x = 1
 /// E::admissible(x)                    whether the equation covers x
 /// E::gamma_over_volume()              V0 gamma/V, dimensionless; zero where heat does not press

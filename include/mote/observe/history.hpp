@@ -115,9 +115,7 @@ VoidSize measure_void(VoidComponent& cavity, const Solver& solver) {
 ///
 ///     time_ns, step                                     step: steps done
 ///     vz_min_m_s, vz_max_m_s, vz_low_m_s, vz_high_m_s   velocity_extremes()
-///     vz_min_grid_m_s, vz_max_grid_m_s                  grid_velocity_range(); nan at the start, before a step has
-///     made
-///                                                       node fields
+///     vz_min_grid_m_s, vz_max_grid_m_s                  grid_velocity_range(); nan at the start
 ///     p_min_mpa, p_max_mpa, t_max_k                     pressure_range(), temperature_range()
 ///     cavity_volume_um3, _width_um, _height_um          VoidComponent; nan once it is open
 ///     kinetic_j ... viscous_j, mass_kg, momentum_z_kg_m_s, wall_impulse_z_n_s    ledger()
