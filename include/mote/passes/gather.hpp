@@ -91,45 +91,66 @@ struct PackSums {
   }
 };
 
-/// Lowest nodes that occur in a tile.
+/// Lowest nodes that occur in a tile. Surplus lanes repeat a particle, so all count.
 template <int D>
-struct Range {
-  std::array<int, D> lo, hi;
+class Range {
+  using Nodes = Simd<int, lanes>;
+  Nodes lo_[D], hi_[D];
+
+ public:
   Range() {
-    lo.fill(127);
-    hi.fill(-128);
+    std::fill_n(lo_, D, Nodes(127));
+    std::fill_n(hi_, D, Nodes(-128));
   }
   template <class Stencil>
-  void include(const Stencil& stencil, int n) {
-    for (std::size_t a = 0; a < std::size_t(D); ++a)
-      for (int l = 0; l < n; ++l) {
-        lo[a] = std::min(lo[a], stencil.relative[a][l]);
-        hi[a] = std::max(hi[a], stencil.relative[a][l]);
-      }
+  void include(const Stencil& stencil) {
+    for (int a = 0; a < D; ++a) {
+      const Nodes nodes = read<Nodes>(stencil.relative[a]);
+      lo_[a] = min(lo_[a], nodes);
+      hi_[a] = max(hi_[a], nodes);
+    }
   }
   void put(Tile<D>& tile) const {
-    for (std::size_t a = 0; a < std::size_t(D); ++a) {
-      tile.lo[a] = std::int8_t(std::clamp(lo[a], -128, 127));
-      tile.hi[a] = std::int8_t(std::clamp(hi[a], -128, 127));
+    for (int a = 0; a < D; ++a) {
+      int least = 127;
+      for (std::size_t l = 0; l < lanes; ++l) least = std::min(least, lo_[a][l]);
+      tile.lo[std::size_t(a)] = std::int8_t(std::max(least, -128));
+      tile.hi[std::size_t(a)] = std::int8_t(std::min(largest(hi_[a]), 127));
     }
   }
 };
 
-/// Speed of the fastest signal, and the first particle that is not a number or that the equation of state does not
-/// cover.
-template <class B, class V>
-void report(const B& body, const V& p, std::size_t first, int n, TileReport& out) {
-  using std::sqrt;
-  using T = Scalar<typename V::number>;
-  const Pack<T> speed = sqrt(body.material.sound_speed2(p)) + norm(get<field::Velocity>(p));
-  out.max_speed = std::max(out.max_speed, double(largest(speed)));
-  const auto good = body.material.admissible(p);
-  const auto finite = speed < Pack<T>(std::numeric_limits<T>::infinity());
-  if (!all_of(good) || !all_of(finite)) [[unlikely]]
-    for (int l = n - 1; l >= 0; --l)
-      if (!good[std::size_t(l)] || !finite[std::size_t(l)])
-        out.failed = std::min(out.failed, std::uint32_t(first) + std::uint32_t(l));
-}
+/// Collects a tile's report, lane by lane; what is wrong is only looked for if something is.
+template <class T>
+class Reporter {
+  Pack<T> speed_ = T(0), wrong_ = T(0);
+
+ public:
+  template <class B, class V>
+  void include(const B& body, const V& p) {
+    using std::sqrt;
+    const Pack<T> speed = sqrt(body.material.sound_speed2(p)) + norm(get<field::Velocity>(p));
+    speed_ = max(speed_, speed);
+    const Pack<T> one = T(1);
+    wrong_ = select(speed < Pack<T>(std::numeric_limits<T>::infinity()), wrong_, one);
+    wrong_ = select(body.material.admissible(p), wrong_, one);
+  }
+
+  template <class B, int D>
+  TileReport of(const B& body, const Tile<D>& tile) const {
+    TileReport report{double(largest(speed_))};
+    for (std::uint32_t i = tile.first; largest(wrong_) > 0 && i < tile.first + tile.count; ++i) {
+      Values<T, D, union_of<fields<field::Velocity>, particle_fields_of<typename B::Material>>> p;
+      body.particles.load(i, p);
+      if (std::isfinite(norm(get<field::Velocity>(p))) && std::isfinite(body.material.sound_speed2(p)) &&
+          body.material.sound_speed2(p) >= 0 && body.material.admissible(p))
+        continue;
+      report.failed = i;
+      break;
+    }
+    return report;
+  }
+};
 
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
 /// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
@@ -143,7 +164,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   alignas(64) T nodes[NodeBox<D>::capacity(Shape::support) * width];
   copy_nodes<task, Transfer>(tile, links, blocks, box, nodes);
   if constexpr (!moves) std::fill_n(accumulators + tile.buffer * width, box.size * width, T(0));
-  TileReport result;
+  Reporter<T> reporter;
   Range<D> range;
   using Deforms =
       std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
@@ -164,9 +185,9 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
       auto& x = get<field::Position>(p);
       x += grid_velocity.pic * Pack<T>(T(dt));
       body.material.update(p, embed(sums.increment(dt / frame.spacing)));
-      report(body, p, first, n, result);
+      reporter.include(body, p);
       stencil.locate(frame.in_cells(x, tile.block));
-      range.include(stencil, n);
+      range.include(stencil);
     } else {
       Pack<T> value[width], axis[D][width];
       momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
@@ -176,24 +197,24 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
     body.particles.store(first, n, p, Written{});
   });
   if constexpr (moves) range.put(tile);
-  return result;
+  return reporter.of(body, tile);
 }
 
 /// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.
 template <class Shape, class B, class T, int D>
 [[gnu::flatten]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
-  TileReport result;
+  Reporter<T> reporter;
   Range<D> range;
   for_each_pack(tile, [&](std::size_t first, int n) {
     Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, particle_fields_of<typename B::Material>>> p;
     body.particles.load(first, n, p);
-    report(body, p, first, n, result);
+    reporter.include(body, p);
     Stencil<T, D, Shape> stencil;
     stencil.locate(frame.in_cells(get<field::Position>(p), tile.block));
-    range.include(stencil, n);
+    range.include(stencil);
   });
   range.put(tile);
-  return result;
+  return reporter.of(body, tile);
 }
 
 }  // namespace mote::passes
