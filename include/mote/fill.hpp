@@ -4,8 +4,8 @@
 
 #include <limits>
 
+#include <mote/core/vector_field.hpp>
 #include <mote/geometry/seeds.hpp>
-#include <mote/load/body_force.hpp>
 #include <mote/passes/body.hpp>
 
 namespace mote {
@@ -38,18 +38,23 @@ std::size_t append_fill(B& body, const R& region, const M& material, const Fill<
   const std::size_t first = particles.size();
   require(next_id + seeds.size() < std::numeric_limits<std::uint32_t>::max(), "a fill of ", seeds.size(),
           " particles makes more than the 4,294,967,294 that a solver can number");
-  particles.resize(first + seeds.size());
-  Values<T, D, particle_fields_of<M>> at_rest;
-  material.initialise(at_rest);
-  using All = typename B::list;
-  for (std::size_t i = 0; i < seeds.size(); ++i) {
-    Values<T, D, All> p{};
-    set_fields(p, at_rest, particle_fields_of<M>{});
-    get<field::Position>(p) = cast<T>(seeds[i].position);
-    get<field::Velocity>(p) = cast<T>(how.velocity(seeds[i].position));
-    get<field::Mass>(p) = T(material.rho0() * seeds[i].volume);
-    particles.set_all(first + i, p);
-    particles.template column<field::Id>()[first + i] = std::uint32_t(next_id + i);
+  try {
+    particles.resize(first + seeds.size());
+    Values<T, D, particle_fields_of<M>> at_rest;
+    material.initialise(at_rest);
+    using All = typename B::list;
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      Values<T, D, All> p{};
+      set_fields(p, at_rest, particle_fields_of<M>{});
+      get<field::Position>(p) = cast<T>(seeds[i].position);
+      get<field::Velocity>(p) = cast<T>(how.velocity(seeds[i].position));
+      get<field::Mass>(p) = T(material.rho0() * seeds[i].volume);
+      particles.set_all(first + i, p);
+      particles.template column<field::Id>()[first + i] = std::uint32_t(next_id + i);
+    }
+  } catch (...) {  // of the user's velocity function, or for want of memory: as if nothing had been asked
+    particles.resize(first);
+    throw;
   }
   return seeds.size();
 }

@@ -17,8 +17,6 @@ namespace detail {
 /// Stands where an equation of state is missing, so that the prose below is the first error.
 struct MissingEos {
   double rho0 = 1;
-  template <class T>
-  T gamma_over_volume(T) const;
 };
 
 }  // namespace detail
@@ -95,6 +93,10 @@ class Material {
     };
     (check(parts), ...);
   }
+
+  friend bool operator==(const Material&, const Material&) requires(
+      std::equality_comparable<Eos>&& std::equality_comparable<Strength>&& std::equality_comparable<Heat>&&
+          std::equality_comparable<Viscosity>) = default;
 
   /// Density at rest, kg/m^3.
   double rho0() const { return eos.rho0; }

@@ -13,6 +13,7 @@
 #include <mote/core/role.hpp>
 #include <mote/core/tensor.hpp>
 #include <mote/core/vec.hpp>
+#include <mote/core/vector_field.hpp>
 #include <mote/core/version.hpp>
 #include <mote/eos/concept.hpp>
 #include <mote/eos/linear_bulk.hpp>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <memory>
 
 #include <mote/boundary/concept.hpp>
 #include <mote/core/role.hpp>
@@ -38,6 +37,12 @@ template <class P>
 inline constexpr bool has_solver_role =
     has_any_role<P, role::Grid, role::Shape, role::Transfer, role::Update, role::Timestep, role::Execution, role::Sleep,
                  role::Boundary, role::Load, role::Material>;
+
+/// Lets a part object to its own numbers.
+template <class P>
+void validate(const P& part) {
+  if constexpr (requires { part.validate(); }) part.validate();
+}
 
 template <class Boundaries>
 inline constexpr bool are_boundaries = false;
@@ -115,7 +120,7 @@ class Solver {
  public:
   template <class... Parts>
   explicit Solver(const Parts&... parts)
-      : update_(detail::pick<role::Update, Update>(parts...)),
+      : update_((detail::validate(parts), ..., detail::pick<role::Update, Update>(parts...))),
         timestep_(detail::pick<role::Timestep, Timestep>(parts...)),
         phases_(detail::pick<role::Grid, Grid>(parts...), detail::pick<role::Transfer, Transfer>(parts...),
                 detail::pick<role::Execution, Execution>(parts...), detail::pick_all<role::Boundary>(parts...),
@@ -131,19 +136,18 @@ class Solver {
     static_assert(count_of<role::Execution, Parts...> <= 1, "mote: a solver takes one executor");
     static_assert(((!detail::has_role<Parts, role::Sleep> || std::is_same_v<Parts, sleep::Never>)&&...),
                   "mote: no sleep policy but sleep::Never is available yet");
-    const auto check = [](const auto& part) {
-      if constexpr (requires { part.validate(); }) part.validate();
-    };
-    (check(parts), ...);
   }
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
   /// Puts particles of a material where the region is; see Fill for the options. \return how many
   template <geometry::Region R, class M>
-  std::size_t fill(const R& region, const M& material, const Fill<D>& how) {
+  std::size_t fill(const R& region, const M& material, const Fill<D>& how = {}) {
     static_assert(Phases::template holds<M>, "mote: fill() was given a material that the solver does not hold");
     auto& body = phases_.template body_of<M>();
+    if constexpr (std::equality_comparable<M>)
+      require(material == body.material,
+              "fill() was given a material with other numbers than the solver's of its type");
     const std::size_t added = append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
     next_id_ += added;
     sorted_ = false;
@@ -152,6 +156,7 @@ class Solver {
 
   /// One step of the length that the time step policy gives, and at most `limit` seconds. \return its length, s
   double step(double limit = std::numeric_limits<double>::infinity()) {
+    require(limit > 0, "a step is limited to ", limit, " s; it must be > 0");
     const auto started = std::chrono::steady_clock::now();
     prepare();
     const double dt = next_dt(limit);
@@ -218,7 +223,7 @@ class Solver {
 
   const grid::Domain<D>& domain() const { return phases_.domain(); }
   const passes::Frame<T, D>& frame() const { return phases_.frame(); }
-  /// Node fields of the last step.
+  /// Node fields of the last step; no node has mass between a sort and the next step.
   const grid::Blocks<T, D>& nodes() const { return phases_.blocks(); }
   /// Sums over all steps so far of what only the grid knows.
   const passes::GridLedger<D>& ledger() const { return phases_.ledger(); }

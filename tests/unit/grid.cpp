@@ -141,7 +141,6 @@ TEST_CASE("a domain knows where its planes are and what they flip", "[grid]") {
   CHECK(!d.plane(2, 0)->body_beyond);
   CHECK(d.plane(2, 0)->part == 1);
   CHECK(!d.plane(0, 0));
-  CHECK(d.has_planes());
 }
 
 TEST_CASE("a domain contains what lies between its planes and in its periods", "[grid]") {

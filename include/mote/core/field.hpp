@@ -44,7 +44,7 @@ struct Symmetric {
 
 namespace field {
 
-/// Where the particle is, m. Between sorts it may lie up to one cell beyond a periodic boundary.
+/// Where the particle is, m. Between sorts it may lie a few cells beyond a periodic boundary.
 struct Position {
   using shape = shape_of::Vector;
   static constexpr const char *name = "position", *unit = "m";

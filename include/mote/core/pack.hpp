@@ -242,7 +242,7 @@ T largest(const Simd<T, N>& a) {
   return m;
 }
 
-/// Rounds down to integers, which must fit into 32 bits; anything else, and NaN, gives the smallest integer.
+/// Rounds down to integers, which must fit into 32 bits; what does not, and NaN, gives some integer far off (x86).
 template <class T, int N>
 [[gnu::always_inline]] inline Simd<T, N> floor(const Simd<T, N>& a, int (&whole)[N]) {
   using R = detail::Registers<T, N>;

@@ -41,6 +41,8 @@ struct LinearBulk {
   auto admissible(const T& x) const {
     return x > T(0);
   }
+
+  friend bool operator==(const LinearBulk&, const LinearBulk&) = default;
 };
 
 }  // namespace mote::eos

@@ -97,6 +97,8 @@ struct MieGruneisen {
     using std::max;
     return max(q, T(0));
   }
+
+  friend bool operator==(const MieGruneisen&, const MieGruneisen&) = default;
 };
 
 }  // namespace mote::eos

@@ -21,7 +21,7 @@ namespace detail {
 
 /// Workers that wait for a job, take its items one chunk at a time, and report the failure with the lowest index.
 class Pool {
-  std::mutex mutex_;
+  std::mutex one_loop_, mutex_;
   std::condition_variable wake_, idle_;
   std::function<void()> job_;
   std::size_t round_ = 0;
@@ -31,20 +31,21 @@ class Pool {
 
  public:
   explicit Pool(int count) {
-    for (int i = 1; i < count; ++i) workers_.emplace_back([this] { serve(); });
+    try {
+      for (int i = 1; i < count; ++i) workers_.emplace_back([this] { serve(); });
+    } catch (...) {  // no more threads to be had: those that run must not wait for ever
+      stop();
+      throw;
+    }
   }
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
-  ~Pool() {
-    {
-      const std::lock_guard lock(mutex_);
-      stop_ = true;
-    }
-    wake_.notify_all();
-  }
+  ~Pool() { stop(); }
 
   template <class F>
   void for_each(std::size_t n, const F& f) {
+    if (n == 0) return;
+    const std::lock_guard turn(one_loop_);
     std::atomic<std::size_t> next = 0;
     std::exception_ptr failure;
     std::size_t failed_at = n;
@@ -70,6 +71,13 @@ class Pool {
   }
 
  private:
+  void stop() {
+    {
+      const std::lock_guard lock(mutex_);
+      stop_ = true;
+    }
+    wake_.notify_all();
+  }
   template <class Work>
   void start(const Work& work) {
     {
@@ -104,7 +112,7 @@ class Pool {
 
 /// `count` threads, the caller's included; 0 takes what the machine has. Copies share one pool.
 ///
-/// The solver's answer is the same to the last bit for any count. One loop at a time runs on a pool.
+/// The solver's answer is the same to the last bit for any count. One loop at a time runs on a pool; others wait.
 class Threads {
   std::shared_ptr<detail::Pool> pool_;
   int count_;

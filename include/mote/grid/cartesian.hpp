@@ -2,6 +2,8 @@
 /// Cartesian grid.
 #pragma once
 
+#include <cmath>
+
 #include <mote/core/error.hpp>
 #include <mote/core/role.hpp>
 #include <mote/core/vec.hpp>
@@ -22,7 +24,11 @@ struct Cartesian {
   double spacing;              ///< h, m, > 0
   Vec<double, D> origin = {};  ///< position of node 0, m
 
-  void validate() const { require(spacing > 0, "the grid spacing is ", spacing, " m; it must be > 0"); }
+  void validate() const {
+    require(spacing > 0 && std::isfinite(spacing), "the grid spacing is ", spacing, " m; it must be > 0 and finite");
+    for (int a = 0; a < D; ++a)
+      require(std::isfinite(origin[a]), "the grid's origin is ", origin[a], " m; it must be finite");
+  }
 };
 
 }  // namespace mote::grid

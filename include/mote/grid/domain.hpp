@@ -21,8 +21,6 @@ inline std::string side_name(Side s) { return std::string(1, axis_name(s.axis)) 
 /// Where a mirror plane lies and how it maps components.
 template <int D>
 struct Plane {
-  int axis;
-  bool upper;
   std::int32_t node;
   std::array<bool, D> odd;  ///< per component: changes sign in the mirror
   bool body_beyond;         ///< the mirrored body exists
@@ -54,9 +52,6 @@ class Domain {
   const std::optional<Periodic>& periodic(int axis) const { return periodic_[axis]; }
   /// The plane at the lower (0) or upper (1) end of an axis.
   const std::optional<Plane<D>>& plane(int axis, int end) const { return planes_[axis][end]; }
-  bool has_planes() const { return part_of_plane_.size() > 0; }
-  /// Boundaries given to the solver, planes or not.
-  int parts() const { return parts_; }
 
   /// The node on which a node falls when periods are taken out.
   std::int32_t wrapped(int axis, std::int32_t node) const {
@@ -87,7 +82,6 @@ class Domain {
  private:
   template <class B>
   void add(const B& b, int part) {
-    parts_ = part + 1;
     if constexpr (PeriodicPair<B>)
       add_periodic(b);
     else
@@ -108,10 +102,8 @@ class Domain {
     check_axis(b.side.axis);
     auto& plane = planes_[b.side.axis][b.side.upper];
     require(!plane, "side ", detail::side_name(b.side), " has two boundaries; it takes one");
-    plane = Plane<D>{b.side.axis, b.side.upper,   node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)),
-                     {},          B::body_beyond, part};
+    plane = Plane<D>{node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)), {}, B::body_beyond, part};
     for (int c = 0; c < D; ++c) plane->odd[std::size_t(c)] = B::odd(c, b.side.axis);
-    part_of_plane_.push_back(part);
   }
 
   static void check_axis(int a) {
@@ -132,8 +124,6 @@ class Domain {
   Vec<double, D> origin_;
   std::array<std::optional<Periodic>, std::size_t(D)> periodic_;
   std::array<std::array<std::optional<Plane<D>>, 2>, D> planes_;
-  std::vector<int> part_of_plane_;
-  int parts_ = 0;
 };
 
 }  // namespace mote::grid

@@ -36,6 +36,8 @@ struct Adiabatic {
     const T heat = eos.reference_heating(T(0.5) * (x_old + x_new)) * dx + work;
     t = (t * (T(1) - half) + heat * T(1 / specific_heat)) / (T(1) + half);
   }
+
+  friend bool operator==(const Adiabatic&, const Adiabatic&) = default;
 };
 
 }  // namespace mote::heat

@@ -11,6 +11,8 @@ struct None {
   using role = mote::role::Heat;
   template <class V, class E, class T>
   void update(V&, const E&, const T&, const T&, const T&) const {}
+
+  friend bool operator==(const None&, const None&) = default;
 };
 
 }  // namespace mote::heat

@@ -58,8 +58,8 @@ class Particles<T, D, fields<Tags...>> {
   std::size_t size() const { return size_; }
 
   void resize(std::size_t n) {
-    size_ = n;
     for_each_column([&](auto& column) { column.resize(n); });
+    size_ = n;
   }
   void reserve(std::size_t n) {
     for_each_column([&](auto& column) { column.reserve(n); });

@@ -39,7 +39,7 @@ struct Frame {
 
   double node_position(int axis, std::int32_t node) const { return origin[axis] + spacing * node; }
 
-  /// Positions in cells relative to the first node of a tile's block: small numbers, exact in single precision too.
+  /// Positions in cells relative to the first node of a tile's block: small numbers, with the error of x alone.
   Vec<Pack<T>, D> in_cells(const Vec<Pack<T>, D>& x, const IVec<D>& block) const {
     Vec<Pack<T>, D> xi;
     for (int a = 0; a < D; ++a) xi[a] = (x[a] - T(node_position(a, block[a] * grid::block_edge))) * T(1 / spacing);

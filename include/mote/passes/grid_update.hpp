@@ -2,7 +2,9 @@
 /// The grid's own part of a step: sum what the tiles brought, solve for velocities, hold them to the boundaries.
 #pragma once
 
-#include <mote/load/body_force.hpp>
+#include <limits>
+#include <tuple>
+
 #include <mote/passes/body.hpp>
 
 namespace mote::passes {
@@ -45,6 +47,12 @@ bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulato
   return touched;
 }
 
+/// A node's mass, or none if it is so small that its inverse would overflow.
+template <class T>
+T solid(T mass) {
+  return mass >= std::numeric_limits<T>::min() ? mass : T(0);
+}
+
 template <class T, int D>
 Vec<T, D> node_vector(const T* field, std::size_t node) {
   Vec<T, D> v{};
@@ -54,6 +62,15 @@ Vec<T, D> node_vector(const T* field, std::size_t node) {
 template <class T, int D>
 void set_node_vector(T* field, std::size_t node, const Vec<T, D>& v) {
   for (int i = 0; i < D; ++i) field[node * grid::node_width<D> + std::size_t(i)] = v[i];
+}
+
+/// dt times the acceleration by all loads at a node.
+template <class T, int D, class Loads>
+Vec<T, D> load_gain(const IVec<D>& node, const Frame<T, D>& frame, const Loads& loads, double time, double dt) {
+  Vec<double, D> x{}, b{};
+  for (int a = 0; a < D; ++a) x[a] = frame.node_position(a, node[a]);
+  std::apply([&](const auto&... load) { ((b += load.acceleration(x, time)), ...); }, loads);
+  return cast<T>(b * dt);
 }
 
 /// v_old = p/m and v = v_old + dt (f/m + b) on a block's nodes, before any plane.
@@ -74,7 +91,7 @@ GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, con
   for (int i = 0; i < nodes; ++i) {
     const T* record = sums + i * width;
     const std::size_t node = first + std::size_t(i);
-    const T m = record[0], over_m = m > T(0) ? T(1) / m : T(0);
+    const T m = solid(record[0]), over_m = m > T(0) ? T(1) / m : T(0);
     blocks.mass[node] = m;
     Vec<T, D> old{}, gain{};
     for (int a = 0; a < D; ++a) {
@@ -95,14 +112,6 @@ GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, con
   return ledger;
 }
 
-template <class T, int D, class Loads>
-Vec<T, D> load_gain(const IVec<D>& node, const Frame<T, D>& frame, const Loads& loads, double time, double dt) {
-  Vec<double, D> x{}, b{};
-  for (int a = 0; a < D; ++a) x[a] = frame.node_position(a, node[a]);
-  std::apply([&](const auto&... load) { ((b += load.acceleration(x, time)), ...); }, loads);
-  return cast<T>(b * dt);
-}
-
 /// A node and its images beyond the planes, which carry the same velocity up to signs.
 template <int D>
 struct Images {
@@ -119,12 +128,13 @@ struct Images {
 
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>
-  bool find(const IVec<D>& node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
+  bool find(std::size_t number_of_node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
+    const IVec<D> node = blocks.coordinates(number_of_node);
     held.fill(-1);
     zero.fill(false);
     zero_by_symmetry.fill(false);
     count = 1;
-    image[0] = {blocks.find(node), {}, 0};
+    image[0] = {number_of_node, {}, 0};
     IVec<D> at[64];
     at[0] = node;
     bool concerned = false;
@@ -211,7 +221,7 @@ GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, co
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
-    if (!images.find(blocks.coordinates(node), domain, blocks, support)) continue;
+    if (!images.find(node, domain, blocks, support)) continue;
     T mass;
     const Vec<T, D> v = images.mean(blocks, blocks.velocity, mass), old = images.mean(blocks, blocks.previous, mass);
     ledger.work += energy(mass, v) - energy(mass, old);
@@ -244,7 +254,7 @@ void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumula
   sum_tiles(block, tiling, accumulators, support, sums);
   for (int i = 0; i < nodes; ++i) {
     const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
-    const T m = sums[i * width];
+    const T m = solid(sums[i * width]);
     Vec<T, D> v{};
     for (int a = 0; a < D; ++a) v[a] = m > T(0) ? sums[i * width + 1 + a] / m : T(0);
     set_node_vector(blocks.remapped.data(), node, v);
@@ -257,7 +267,7 @@ void hold_remapped(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::
   Images<D> images;
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
-    if (!images.find(blocks.coordinates(node), domain, blocks, support)) continue;
+    if (!images.find(node, domain, blocks, support)) continue;
     T mass;
     const Vec<T, D> v = images.mean(blocks, blocks.remapped, mass);
     for (int k = 0; k < images.count; ++k) {

@@ -2,6 +2,8 @@
 /// The phases of a step: each a sweep over tiles or blocks. An update policy (update/) puts them in order.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -120,8 +122,9 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
       };
       sorter.template operator()<Shape>(body, tiling_.tiles, frame_, domain_, executor_, lost);
     });
-    linker_(tiling_, blocks_, domain_, Shape::support);
+    linker_(tiling_, blocks_, domain_, Shape::support, Shape::first);
     blocks_.allocate(remaps_);
+    std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
     for_each_tile(
         [&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
@@ -129,6 +132,11 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     reserve_amply(accumulators_,
                   tiling_.tiles.size() * std::size_t(NodeBox<D>::capacity(Shape::support)) * 2 * grid::node_width<D>);
     reserve_amply(block_ledgers_, blocks_.index.size() + tiling_.plane_blocks.size());
+    if (std::any_of(tiling_.tiles.begin(), tiling_.tiles.end(), [](const auto& t) { return t.unlinked(); }))
+      throw NumericalError(
+          "mote: the number type does not resolve positions to a cell; put the grid's origin nearer to the particles, "
+          "or "
+          "take double");
     check(step);
   }
 

@@ -101,15 +101,15 @@ class Sorter {
     std::uint32_t first = 0;
     for (std::uint32_t r = 0; r < by_rank_.size(); ++r) {
       const std::uint32_t last = begin_[r * cells + cells - 1];  // count() moved every begin to its end
-      tiles.push_back(Tile<D>{index_[by_rank_[r]], first, last - first, {}, {}, 0, 0, 0});
+      tiles.push_back(Tile<D>{index_[by_rank_[r]], first, last - first, {}, {}, {}, {}, 0, 0, 0});
       first = last;
     }
   }
 
   template <class N>
   static void move_column(void* data, const Sorter& s, std::vector<std::byte>& scratch) {
+    static_assert(sizeof(N) <= sizeof(double));
     auto& column = *static_cast<std::vector<N>*>(data);
-    scratch.resize(column.size() * sizeof(N));
     N* to = reinterpret_cast<N*>(scratch.data());
     for (std::size_t i = 0; i < column.size(); ++i) to[i] = column[s.order_[i]];
     std::copy_n(to, column.size(), column.data());
@@ -127,6 +127,7 @@ class Sorter {
     });
     const auto strands = std::size_t(std::max(1, executor.concurrency()));
     scratch_.resize(std::max(scratch_.size(), strands));
+    for (auto& s : scratch_) s.resize(particles.size() * sizeof(double));  // here, where a failure does no harm
     executor.for_each(strands, [&](std::size_t s) {
       for (std::size_t c = s; c < columns_.size(); c += strands) movers_[c](columns_[c], *this, scratch_[s]);
     });

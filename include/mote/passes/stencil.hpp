@@ -155,7 +155,7 @@ template <bool Axes, Halves H, class T, int D, class Shape, class Record>
   Record w[n], u[n];
   for (int k = 0; k < n; ++k) {
     w[k] = Record(s.value[z][k][l]);
-    if constexpr (Axes) u[k] = s.template axis_weight<H>(z, k, l);
+    u[k] = Axes ? s.template axis_weight<H>(z, k, l) : w[k];
   }
   const auto add = [&](Record sum, const Record& more) __attribute__((always_inline)) {
     if constexpr (Axes) sum += more;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -21,14 +22,25 @@ inline constexpr int lowest = -drift, highest = grid::block_edge - 1 + drift;
 template <int D>
 struct Tile {
   IVec<D> block;
-  std::uint32_t first, count;         ///< particles
-  std::array<std::int8_t, D> lo, hi;  ///< range of the particles' lowest nodes, relative to the block
+  std::uint32_t first, count;              ///< particles
+  std::array<std::int8_t, D> lo, hi;       ///< range of the particles' lowest nodes, relative to the block
+  std::array<std::int8_t, D> least, most;  ///< where that range may lie until a sort is due
   std::uint32_t links_begin, links_end;
   std::uint64_t buffer;  ///< first node of its accumulators
 
-  bool strayed() const {
-    for (int a = 0; a < D; ++a)
-      if (lo[a] < lowest || hi[a] > highest) return true;
+  /// Whether a particle has drifted by more than a cell, or beyond a plane by more than half a cell.
+  bool strayed() const { return beyond(least, most); }
+  /// Whether a particle reaches nodes that the tile is not linked to.
+  bool unlinked() const {
+    std::array<std::int8_t, D> from, to;
+    from.fill(lowest), to.fill(highest);
+    return beyond(from, to);
+  }
+
+ private:
+  bool beyond(const std::array<std::int8_t, D>& from, const std::array<std::int8_t, D>& to) const {
+    for (std::size_t a = 0; a < std::size_t(D); ++a)
+      if (lo[a] < from[a] || hi[a] > to[a]) return true;
     return false;
   }
 };
@@ -125,12 +137,15 @@ class Linker {
   std::array<std::vector<Segment>, D> segments_;
 
  public:
-  void operator()(Tiling<D>& tiling, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support) {
+  /// \param first offset of a particle's lowest node (Shape)
+  void operator()(Tiling<D>& tiling, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support,
+                  double first) {
     blocks.index.clear();
     tiling.links.clear();
     for (std::uint32_t t = 0; t < tiling.tiles.size(); ++t) {
       auto& tile = tiling.tiles[t];
       for (int a = 0; a < D; ++a) cut(segments_[std::size_t(a)], tile.block[a], a, domain, support);
+      for (int a = 0; a < D; ++a) limit(tile, a, domain, first);
       tile.links_begin = std::uint32_t(tiling.links.size());
       link(tiling, blocks, t);
       tile.links_end = std::uint32_t(tiling.links.size());
@@ -140,6 +155,16 @@ class Linker {
   }
 
  private:
+  /// How far the lowest nodes may go along an axis: a cell further than at the sort, half a cell beyond a plane.
+  static void limit(Tile<D>& tile, int axis, const grid::Domain<D>& domain, double first) {
+    const auto relative = [&](double node) {
+      return std::int8_t(std::clamp(int(node) - tile.block[axis] * grid::block_edge, lowest, highest));
+    };
+    const auto &lower = domain.plane(axis, 0), &upper = domain.plane(axis, 1);
+    tile.least[std::size_t(axis)] = lower ? relative(std::floor(lower->node - 0.5 - first)) : std::int8_t(lowest);
+    tile.most[std::size_t(axis)] = upper ? relative(std::ceil(upper->node + 0.5 - first) - 1) : std::int8_t(highest);
+  }
+
   /// Cuts a tile's reach along an axis where blocks change or a period ends.
   static void cut(std::vector<Segment>& segments, std::int32_t tile_block, int axis, const grid::Domain<D>& domain,
                   int support) {

@@ -19,6 +19,8 @@ struct Elastic {
   void update(V& values, const Kinematics<T>& k) const {
     get<field::DeviatoricStress>(values) = elastic_predictor(values, k, shear_modulus);
   }
+
+  friend bool operator==(const Elastic&, const Elastic&) = default;
 };
 
 }  // namespace mote::strength

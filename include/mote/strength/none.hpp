@@ -11,6 +11,8 @@ struct None {
   using role = mote::role::Strength;
   template <class V, class T>
   void update(V&, const Kinematics<T>&) const {}
+
+  friend bool operator==(const None&, const None&) = default;
 };
 
 }  // namespace mote::strength

@@ -41,6 +41,8 @@ struct VonMises {
     eps += d_eps;
     return (yield_stress + T(0.5 * hardening) * d_eps) * d_eps;
   }
+
+  friend bool operator==(const VonMises&, const VonMises&) = default;
 };
 
 }  // namespace mote::strength

@@ -9,6 +9,8 @@ namespace mote::viscosity {
 /// No artificial viscosity; leaves no instruction behind.
 struct None {
   using role = mote::role::Viscosity;
+
+  friend bool operator==(const None&, const None&) = default;
 };
 
 }  // namespace mote::viscosity
