@@ -38,6 +38,7 @@
 #include <mote/heat/concept.hpp>
 #include <mote/heat/none.hpp>
 #include <mote/load/body_force.hpp>
+#include <mote/load/concept.hpp>
 #include <mote/material.hpp>
 #include <mote/observe/axis_profile.hpp>
 #include <mote/observe/extremes.hpp>
@@ -72,10 +73,12 @@
 #include <mote/strength/none.hpp>
 #include <mote/strength/von_mises.hpp>
 #include <mote/timestep/cfl.hpp>
+#include <mote/timestep/concept.hpp>
 #include <mote/timestep/fixed.hpp>
 #include <mote/transfer/apic.hpp>
 #include <mote/transfer/concept.hpp>
 #include <mote/transfer/flip.hpp>
+#include <mote/update/concept.hpp>
 #include <mote/update/musl.hpp>
 #include <mote/update/usl.hpp>
 #include <mote/viscosity/none.hpp>

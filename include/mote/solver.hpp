@@ -11,12 +11,15 @@
 #include <mote/execution/concept.hpp>
 #include <mote/execution/serial.hpp>
 #include <mote/fill.hpp>
+#include <mote/load/concept.hpp>
 #include <mote/material.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/sort.hpp>
 #include <mote/shape/concept.hpp>
 #include <mote/sleep/never.hpp>
+#include <mote/timestep/concept.hpp>
 #include <mote/transfer/concept.hpp>
+#include <mote/update/concept.hpp>
 #include <mote/update/usl.hpp>
 
 namespace mote {
@@ -49,10 +52,6 @@ inline constexpr bool are_boundaries = false;
 template <class... B>
 inline constexpr bool are_boundaries<std::tuple<B...>> = (Boundary<B> && ...);
 
-template <class L, int D>
-concept LoadIn = requires(const L& load, const Vec<double, D>& x) {
-  { load.acceleration(x, 0.0) } -> std::convertible_to<Vec<double, D>>;
-};
 template <class Loads, int D>
 inline constexpr bool are_loads = false;
 template <class... L, int D>
@@ -91,6 +90,9 @@ class Solver {
                 "mote: the shape function lacks a member; shape/concept.hpp lists them");
   static_assert(mote::Transfer<Transfer> || std::is_same_v<Transfer, detail::Missing>,
                 "mote: the transfer lacks a member; transfer/concept.hpp lists them");
+  static_assert(mote::Update<Update>, "mote: the update order lacks a member; update/concept.hpp lists them");
+  static_assert(mote::Timestep<Timestep> || std::is_same_v<Timestep, detail::Missing>,
+                "mote: the time step policy lacks a member; timestep/concept.hpp lists them");
   static_assert(mote::Execution<Execution>, "mote: the executor lacks a member; execution/concept.hpp lists them");
   static_assert(detail::are_boundaries<Boundaries>, "mote: a boundary lacks a member; boundary/concept.hpp lists them");
   static_assert(detail::are_loads<Loads, Grid::dimension>,

@@ -161,6 +161,11 @@ struct GoodTransfer {
   using role = mote::role::Transfer;
   static constexpr bool affine = false, increment = false;
   double kept() const { return 0; }
+  template <class V, class G>
+  void update(V&, const G&) const {}
+};
+struct TransferWithoutUpdate : GoodTransfer {
+  int update;
 };
 struct TransferWithoutRole : GoodTransfer {
   using role = void;
@@ -180,6 +185,19 @@ struct TransferWithoutIncrement : GoodTransfer {
 static_assert(Transfer<GoodTransfer> && Transfer<transfer::Flip> && Transfer<transfer::Apic>);
 static_assert(!Transfer<int> && !Transfer<TransferWithoutRole> && !Transfer<TransferWithoutKept>);
 static_assert(!Transfer<TransferWithoutAffine> && !Transfer<TransferWithoutIncrement>);
+static_assert(!Transfer<TransferWithoutUpdate>);
+
+// ---- Update, Timestep, LoadIn
+
+struct UpdateWithoutRemaps {
+  using role = mote::role::Update;
+};
+struct TimestepWithoutCall {
+  using role = mote::role::Timestep;
+};
+static_assert(Update<update::Usl> && Update<update::Musl> && !Update<UpdateWithoutRemaps> && !Update<int>);
+static_assert(Timestep<timestep::Cfl> && Timestep<timestep::Fixed> && !Timestep<TimestepWithoutCall> && !Timestep<int>);
+static_assert(LoadIn<load::BodyForce<2>, 2> && !LoadIn<load::BodyForce<2>, 3> && !LoadIn<int, 2>);
 
 // ---- MirrorPlane, PeriodicPair, Boundary
 

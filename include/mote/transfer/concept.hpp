@@ -27,6 +27,9 @@ concept Transfer = HasRole<X, role::Transfer> && requires(const X& x) {
   { x.kept() } -> std::convertible_to<double>;
   { X::affine } -> std::convertible_to<bool>;
   { X::increment } -> std::convertible_to<bool>;
+  requires requires(Values<double, 1, fields<field::Velocity, field::Affine>> values, GridVelocity<double, 1> grid) {
+    x.update(values, grid);
+  };
 };
 
 }  // namespace mote
