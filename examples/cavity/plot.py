@@ -147,7 +147,7 @@ def draw_axis(run, config, file):
         table = np.apply_along_axis(bridged, 0, table)
         limit = float(f"{np.nanpercentile(np.abs(table), 99.5):.1g}") or 1
         mesh = diagram.contourf(times, heights, table,
-                                levels=np.linspace(-limit, limit, 40),  # none at 0 or at the
+                                levels=np.linspace(-limit, limit, 38),  # none at 0 or at the
                                 cmap="RdBu_r", extend="both")  # launch speed, where round-off would show
         diagram.plot(times, np.full(len(times), heights[-1] + 2 * step), "kv", ms=4, clip_on=False)
         diagram.set_facecolor("#dddddd")
