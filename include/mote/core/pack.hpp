@@ -107,6 +107,11 @@ struct Simd {
     for (int k = 0; k < R::count; ++k) r.v[k] = a.v[k] < b.v[k];
     return r;
   }
+  [[gnu::always_inline]] friend SimdMask<T, N> operator==(const Simd& a, const Simd& b) {
+    SimdMask<T, N> r;
+    for (int k = 0; k < R::count; ++k) r.v[k] = a.v[k] == b.v[k];
+    return r;
+  }
   [[gnu::always_inline]] friend SimdMask<T, N> operator<=(const Simd& a, const Simd& b) {
     SimdMask<T, N> r;
     for (int k = 0; k < R::count; ++k) r.v[k] = a.v[k] <= b.v[k];
@@ -115,24 +120,6 @@ struct Simd {
   [[gnu::always_inline]] friend SimdMask<T, N> operator>(const Simd& a, const Simd& b) { return b < a; }
   [[gnu::always_inline]] friend SimdMask<T, N> operator>=(const Simd& a, const Simd& b) { return b <= a; }
 };
-
-/// The first half of the lanes a, the second half b.
-template <class T, int N>
-[[gnu::always_inline]] inline Simd<T, N> halves(T a, T b) {
-  using R = detail::Registers<T, N>;
-  Simd<T, N> r(a);
-  const Simd<T, N> other(b);
-  if constexpr (R::count > 1) {
-    for (int k = R::count / 2; k < R::count; ++k) r.v[k] = other.v[k];
-  } else if constexpr (N == 8) {
-    r.v[0] = __builtin_shufflevector(r.v[0], other.v[0], 0, 1, 2, 3, 12, 13, 14, 15);
-  } else if constexpr (N == 4) {
-    r.v[0] = __builtin_shufflevector(r.v[0], other.v[0], 0, 1, 6, 7);
-  } else {
-    for (int i = N / 2; i < N; ++i) r.v[0][i] = b;
-  }
-  return r;
-}
 
 /// Particles per pack. Fixed, not the machine's width: the layout does not depend on the compiler's flags.
 inline constexpr int lanes = 8;
@@ -242,20 +229,40 @@ T largest(const Simd<T, N>& a) {
   return m;
 }
 
-/// Rounds down to integers, which must fit into 32 bits; what does not, and NaN, gives some integer far off (x86).
+/// Rounds down.
 template <class T, int N>
-[[gnu::always_inline]] inline Simd<T, N> floor(const Simd<T, N>& a, int (&whole)[N]) {
-  using R = detail::Registers<T, N>;
-  typedef int I __attribute__((vector_size(R::each * sizeof(int))));
+[[gnu::always_inline]] inline Simd<T, N> floor(const Simd<T, N>& a) {
   Simd<T, N> r;
-  for (int k = 0; k < R::count; ++k) {
-    I i = __builtin_convertvector(a.v[k], I);
-    const typename R::type truncated = __builtin_convertvector(i, typename R::type);
-    i += __builtin_convertvector(a.v[k] < truncated, I);  // a true comparison is -1
-    r.v[k] = __builtin_convertvector(i, typename R::type);
-    std::memcpy(whole + k * R::each, &i, sizeof i);
+  for (int k = 0; k < Simd<T, N>::R::count; ++k) {
+    const auto& x = a.v[k];
+#if defined(__AVX512F__)
+    if constexpr (sizeof(x) == 64 && sizeof(T) == 8)
+      r.v[k] = _mm512_maskz_roundscale_pd(0xff, x, _MM_FROUND_TO_NEG_INF);
+    else if constexpr (sizeof(x) == 64)
+      r.v[k] = _mm512_maskz_roundscale_ps(0xffff, x, _MM_FROUND_TO_NEG_INF);
+    else
+#endif
+#if defined(__AVX__)
+        if constexpr (sizeof(x) == 32 && sizeof(T) == 8)
+      r.v[k] = _mm256_floor_pd(x);
+    else if constexpr (sizeof(x) == 32)
+      r.v[k] = _mm256_floor_ps(x);
+    else
+#endif
+      for (int i = 0; i < Simd<T, N>::R::each; ++i) r.v[k][i] = std::floor(x[i]);
   }
   return r;
+}
+
+/// Whole numbers as integers; what does not fit into 32 bits, and NaN, gives some integer far off (x86).
+template <class T, int N>
+[[gnu::always_inline]] inline void to_integers(const Simd<T, N>& a, int (&whole)[N]) {
+  using R = detail::Registers<T, N>;
+  typedef int I __attribute__((vector_size(R::each * sizeof(int))));
+  for (int k = 0; k < R::count; ++k) {
+    const I i = __builtin_convertvector(a.v[k], I);
+    std::memcpy(whole + k * R::each, &i, sizeof i);
+  }
 }
 
 /// Lane i of a pack.
@@ -273,6 +280,47 @@ template <class V>
 template <class V>
 [[gnu::always_inline]] inline void write(const V& v, Scalar<V>* to) {
   std::memcpy(to, v.v, sizeof v.v);
+}
+
+/// V from the numbers in `from`, over and over.
+template <class V, int n>
+[[gnu::always_inline]] inline V repeated(const Scalar<V> (&from)[n]) {
+  if constexpr (n == 1) {
+    return V(from[0]);
+  } else {
+    static_assert(n == 2);
+    V r;
+    for (auto& part : r.v) {
+      using Part = std::remove_reference_t<decltype(part)>;
+      // g++ 12 makes a round trip through memory of the shuffle that says the same
+#if defined(__AVX512DQ__)
+      if constexpr (sizeof(Part) == 64 && sizeof(Scalar<V>) == 8)
+        part = _mm512_maskz_broadcast_f64x2(0xff, _mm_loadu_pd(from));
+      else
+#endif
+          if constexpr (sizeof(Scalar<V>) == 4) {
+        typedef long long Pairs __attribute__((vector_size(sizeof(Part))));
+        long long pair;
+        std::memcpy(&pair, from, sizeof pair);
+        part = reinterpret_cast<Part>(pair - Pairs{});
+      } else
+        for (int i = 0; i < V::R::each; ++i) part[i] = from[i % 2];
+    }
+    return r;
+  }
+}
+
+/// Writes a[0], b[0], a[1], b[1], ...
+template <class T>
+[[gnu::always_inline]] inline void write_in_turns(const Pack<T>& a, const Pack<T>& b, T* to) {
+  if constexpr (Pack<T>::R::count == 1) {
+    const auto low = __builtin_shufflevector(a.v[0], b.v[0], 0, 8, 1, 9, 2, 10, 3, 11);
+    const auto high = __builtin_shufflevector(a.v[0], b.v[0], 4, 12, 5, 13, 6, 14, 7, 15);
+    std::memcpy(to, &low, sizeof low);
+    std::memcpy(to + lanes, &high, sizeof high);
+  } else {
+    for (int l = 0; l < lanes; ++l) to[2 * l] = a[std::size_t(l)], to[2 * l + 1] = b[std::size_t(l)];
+  }
 }
 
 /// Rows to columns: lane i of out[j] is lane j of in[i].

@@ -31,6 +31,19 @@ struct TileReport {
   std::uint32_t failed = fine;  ///< first particle that is no number or beyond its equation of state
 };
 
+/// Positions in cells from the first node of a tile's block: small numbers, with the error of x alone.
+template <class T, int D>
+struct TileFrame {
+  Vec<T, D> origin;
+  T per_spacing;
+
+  Vec<Pack<T>, D> in_cells(const Vec<Pack<T>, D>& x) const {
+    Vec<Pack<T>, D> xi;
+    for (int a = 0; a < D; ++a) xi[a] = (x[a] - origin[a]) * per_spacing;
+    return xi;
+  }
+};
+
 /// Where the nodes are.
 template <class T, int D>
 struct Frame {
@@ -39,11 +52,10 @@ struct Frame {
 
   double node_position(int axis, std::int32_t node) const { return origin[axis] + spacing * node; }
 
-  /// Positions in cells relative to the first node of a tile's block: small numbers, with the error of x alone.
-  Vec<Pack<T>, D> in_cells(const Vec<Pack<T>, D>& x, const IVec<D>& block) const {
-    Vec<Pack<T>, D> xi;
-    for (int a = 0; a < D; ++a) xi[a] = (x[a] - T(node_position(a, block[a] * grid::block_edge))) * T(1 / spacing);
-    return xi;
+  TileFrame<T, D> of_block(const IVec<D>& block) const {
+    TileFrame<T, D> f{{}, T(1 / spacing)};
+    for (int a = 0; a < D; ++a) f.origin[a] = T(node_position(a, block[a] * grid::block_edge));
+    return f;
   }
 };
 
@@ -54,26 +66,22 @@ void for_each_pack(const Tile<D>& tile, const F& f) {
     f(std::size_t(tile.first + i), std::min(lanes, int(tile.count - i)));
 }
 
-/// Packs of components to one record per lane, and back.
+/// Calls f(first, n) for batches of a few packs.
+template <int packs, int D, class F>
+void for_each_batch(const Tile<D>& tile, const F& f) {
+  constexpr std::uint32_t most = packs * lanes;
+  for (std::uint32_t i = 0; i < tile.count; i += most)
+    f(std::size_t(tile.first + i), int(std::min(most, tile.count - i)));
+}
+
+/// Packs of components to one record per lane.
 template <class T, int N>
-[[gnu::always_inline]] inline void to_records(const Pack<T> (&components)[N], T (*records)[N]) {
+[[gnu::always_inline]] inline void to_records(const Pack<T> (&components)[N], Simd<T, N> (&records)[lanes]) {
   if constexpr (N == lanes) {
-    Pack<T> rows[lanes];
-    transpose(components, rows);
-    for (int l = 0; l < lanes; ++l) write(rows[l], records[l]);
+    transpose(components, records);
   } else {
     for (int c = 0; c < N; ++c)
-      for (int l = 0; l < lanes; ++l) records[l][c] = components[c][std::size_t(l)];
-  }
-}
-template <class T, int N>
-[[gnu::always_inline]] inline void from_records(const T (*records)[N], Pack<T> (&components)[N]) {
-  if constexpr (N == lanes) {
-    Pack<T> rows[lanes];
-    for (int l = 0; l < lanes; ++l) rows[l] = read<Pack<T>>(records[l]);
-    transpose(rows, components);
-  } else {
-    for (int c = 0; c < N; ++c) components[c] = Pack<T>([&](int l) { return records[l][c]; });
+      for (int l = 0; l < lanes; ++l) records[l].set(c, components[c][std::size_t(l)]);
   }
 }
 

@@ -12,81 +12,75 @@ namespace mote::passes {
 /// What a gather does: take the velocity, move and strain, or both from one field.
 enum class Task { velocity_and_deform, velocity_and_remap, deform };
 
-/// Copies the grid's velocities to the tile's box; records by task:
-///
-///   velocity (both)    [v | v - v before the forces] for increments, [v | v] for affine transfers
-///   deform             [v mapped back from the particles | v]
-template <Task task, class Transfer, class T, int D>
-void copy_nodes(const Tile<D>& tile, const std::vector<Link<D>>& links, const grid::Blocks<T, D>& blocks,
-                const NodeBox<D>& box, T* nodes) {
-  constexpr int half = grid::node_width<D>;
-  using Half = Simd<T, half>;
-  for (std::uint32_t k = tile.links_begin; k < tile.links_end; ++k) {
-    const std::size_t block = std::size_t(links[k].block) * grid::block_nodes<D>;
-    for_each_row(links[k], box, [&](int in_box, int in_block, int count) {
-      for (int i = 0; i < count; ++i) {
-        const std::size_t from = (block + std::size_t(in_block + i)) * half;
-        T* to = nodes + std::ptrdiff_t(in_box + i) * 2 * half;
-        const Half v = read<Half>(blocks.velocity.data() + from);
-        if constexpr (task == Task::deform) {
-          write(read<Half>(blocks.remapped.data() + from), to);
-          write(v, to + half);
-        } else {
-          write(v, to);
-          if constexpr (Transfer::increment)
-            write(Half(v - read<Half>(blocks.previous.data() + from)), to + half);
-          else
-            write(v, to + half);
-        }
-      }
-    });
-  }
-}
+/// The node fields that a task reads, copied to the tile's box; node_width<D> numbers per node.
+template <class T, int D, class Shape>
+struct NodeFields {
+  static constexpr int half = grid::node_width<D>, capacity = NodeBox<D>::capacity(Shape::support) * half;
+  alignas(64) T velocity[capacity];
+  /// By task: the change of velocity by the forces (if the transfer asks for it), or the velocity mapped back from the
+  /// particles.
+  alignas(64) T second[capacity];
 
-/// What the lanes of a pack gather, component by component.
+  template <Task task, class Transfer>
+  void copy(const Tile<D>& tile, const std::vector<Link<D>>& links, const grid::Blocks<T, D>& blocks,
+            const NodeBox<D>& box) {
+    for (std::uint32_t k = tile.links_begin; k < tile.links_end; ++k) {
+      const std::size_t block = std::size_t(links[k].block) * grid::block_nodes<D>;
+      for_each_row(links[k], box, [&](int in_box, int in_block, int count) {
+        const std::size_t from = (block + std::size_t(in_block)) * half;
+        const std::ptrdiff_t to = std::ptrdiff_t(in_box) * half;
+        unrolled<grid::block_edge>([&](auto k) __attribute__((always_inline)) {  // rows are short
+          constexpr int i = k * half;
+          if (k >= count) return;
+          using Half = Simd<T, half>;
+          const Half v = read<Half>(blocks.velocity.data() + from + i);
+          write(v, velocity + to + i);
+          if constexpr (task == Task::deform)
+            write(read<Half>(blocks.remapped.data() + from + i), second + to + i);
+          else if constexpr (Transfer::increment)
+            write(Half(v - read<Half>(blocks.previous.data() + from + i)), second + to + i);
+        });
+      });
+    }
+  }
+};
+
+/// What the lanes of a pack gather.
 template <Task task, class Shape, class Transfer, class T, int D>
 struct PackSums {
-  static constexpr int half = grid::node_width<D>, width = 2 * half;
-  static constexpr bool axes = task != Task::velocity_and_remap || Transfer::affine;
-  Pack<T> value[width];
-  Pack<T> axis[D][width];
+  /// C is the gradient where the kernel's inertia is singular.
+  static constexpr bool singular = Shape::inertia == 0, affine = Transfer::affine && task != Task::deform;
+  static constexpr Wanted of_velocity{task == Task::velocity_and_deform || (affine && singular), affine && !singular};
+  static constexpr Wanted of_second{task == Task::deform, false};
+  Sums<T, D> velocity[D], second[D];
 
-  PackSums(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil, int n) {
-    constexpr auto halves = Transfer::affine && task != Task::deform ? Halves::slope_moment : Halves::slope_slope;
-    alignas(64) T values[lanes][width];
-    alignas(64) T along[D][lanes][width];
-    for (int l = 0; l < lanes; ++l) {
-      const auto sum = gather<axes, halves>(nodes, box, stencil, std::min(l, n - 1));
-      write(sum.value, values[l]);
-      if constexpr (axes)
-        for (int a = 0; a < D; ++a) write(sum.axis[a], along[a][l]);
-    }
-    from_records(values, value);
-    if constexpr (axes)
-      for (int a = 0; a < D; ++a) from_records(along[a], axis[a]);
+  [[gnu::always_inline]] void gather(const NodeFields<T, D, Shape>& nodes, const NodeBox<D>& box,
+                                     const Stencil<T, D, Shape>& stencil) {
+    passes::gather<of_velocity>(nodes.velocity, box, stencil, velocity);
+    if constexpr (task == Task::deform || Transfer::increment)
+      passes::gather<of_second>(nodes.second, box, stencil, second);
   }
 
-  GridVelocity<Pack<T>, D> velocity(double spacing) const {
+  [[gnu::always_inline]] GridVelocity<Pack<T>, D> grid_velocity(double spacing) const {
     GridVelocity<Pack<T>, D> g;
     for (int i = 0; i < D; ++i) {
-      g.pic[i] = value[task == Task::deform ? half + i : i];
-      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = value[half + i];
+      g.pic[i] = velocity[i].value;
+      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = second[i].value;
     }
-    if constexpr (Transfer::affine && task != Task::deform) {
-      // the gradient stands in where the kernel's inertia is singular
-      constexpr bool singular = Shape::inertia == 0;
+    if constexpr (affine) {
       const T scale = T(1 / (singular ? spacing : Shape::inertia * spacing));
       for (int i = 0; i < D; ++i)
-        for (int a = 0; a < D; ++a) g.affine(i, a) = scale * axis[a][singular ? i : half + i];
+        for (int a = 0; a < D; ++a) g.affine(i, a) = scale * (singular ? velocity[i].slope[a] : velocity[i].moment[a]);
     }
     return g;
   }
 
   /// dt times the velocity gradient.
-  Mat<Pack<T>, D> increment(double dt_over_h) const {
+  [[gnu::always_inline]] Mat<Pack<T>, D> increment(double dt_over_h) const {
     Mat<Pack<T>, D> l;
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a) l(i, a) = T(dt_over_h) * axis[a][i];
+      for (int a = 0; a < D; ++a)
+        l(i, a) = T(dt_over_h) * (task == Task::deform ? second[i].slope[a] : velocity[i].slope[a]);
     return l;
   }
 };
@@ -102,10 +96,13 @@ class Range {
     std::fill_n(lo_, D, Nodes(127));
     std::fill_n(hi_, D, Nodes(-128));
   }
-  template <class Stencil>
-  void include(const Stencil& stencil) {
+  /// \param xi positions in cells, relative to the tile's block
+  template <class Shape, class T>
+  void include(const Vec<Pack<T>, D>& xi) {
     for (int a = 0; a < D; ++a) {
-      const Nodes nodes = read<Nodes>(stencil.relative[a]);
+      int whole[lanes];
+      to_integers(floor(Pack<T>(xi[a] - T(Shape::first))), whole);
+      const Nodes nodes = read<Nodes>(whole);
       lo_[a] = min(lo_[a], nodes);
       hi_[a] = max(hi_[a], nodes);
     }
@@ -126,14 +123,14 @@ class Reporter {
   Pack<T> speed_ = T(0), wrong_ = T(0);
 
  public:
-  template <class B, class V>
-  void include(const B& body, const V& p) {
+  template <class M, class V>
+  void include(const M& material, const V& p) {
     using std::sqrt;
-    const Pack<T> speed = sqrt(body.material.sound_speed2(p)) + norm(get<field::Velocity>(p));
+    const Pack<T> speed = sqrt(material.sound_speed2(p)) + norm(get<field::Velocity>(p));
     speed_ = max(speed_, speed);
     const Pack<T> one = T(1);
     wrong_ = select(speed < Pack<T>(std::numeric_limits<T>::infinity()), wrong_, one);
-    wrong_ = select(body.material.admissible(p), wrong_, one);
+    wrong_ = select(material.admissible(p), wrong_, one);
   }
 
   template <class B, int D>
@@ -155,46 +152,60 @@ class Reporter {
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
 /// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
 template <Task task, class Shape, class Transfer, class B, class T, int D>
-[[gnu::flatten]] TileReport gather_tile(B& body, const Transfer& transfer, Tile<D>& tile,
+[[gnu::flatten]] TileReport gather_tile(B& body, const Transfer& transfer_, Tile<D>& tile,
                                         const std::vector<Link<D>>& links, const grid::Blocks<T, D>& blocks,
                                         const Frame<T, D>& frame, double dt, T* accumulators) {
-  constexpr int width = 2 * grid::node_width<D>;
   constexpr bool moves = task != Task::velocity_and_remap, takes_velocity = task != Task::deform;
+  constexpr int remap_width = Momentum<T, D>::width;
   const NodeBox<D> box(tile, Shape::support);
-  alignas(64) T nodes[NodeBox<D>::capacity(Shape::support) * width];
-  copy_nodes<task, Transfer>(tile, links, blocks, box, nodes);
-  if constexpr (!moves) std::fill_n(accumulators + tile.buffer * width, box.size * width, T(0));
-  Reporter<T> reporter;
-  Range<D> range;
+  NodeFields<T, D, Shape> nodes;
+  nodes.template copy<task, Transfer>(tile, links, blocks, box);
+  T* remapped = accumulators + tile.buffer * remap_width;
+  if constexpr (!moves) std::fill_n(remapped, box.size * remap_width, T(0));
   using Deforms =
       std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
   using Moves =
       std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>;
   using Written = union_of<Deforms, Moves>;
   using Mass = std::conditional_t<moves, fields<>, fields<field::Mass>>;
-  for_each_pack(tile, [&](std::size_t first, int n) {
-    Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Mass, Written>> p;
-    body.particles.load(first, n, p);
+  // copies, which stores to columns cannot change: what depends on them alone is computed once
+  const auto material = body.material;
+  const auto transfer = transfer_;
+  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
+  const double spacing = frame.spacing, dt_over_h = dt / frame.spacing;
+  Reporter<T> reporter;
+  Range<D> range;
+  // Some packs gather, then the same packs move: the long chains of the material's divisions then overlap.
+  constexpr int batch = moves ? 4 : 1;
+  PackSums<task, Shape, Transfer, T, D> sums[batch];
+  for_each_batch<batch>(tile, [&](std::size_t begin, int count) {
     Stencil<T, D, Shape> stencil;
-    stencil.template set<true, Transfer::affine && takes_velocity>(frame.in_cells(get<field::Position>(p), tile.block),
-                                                                   box);
-    const PackSums<task, Shape, Transfer, T, D> sums(nodes, box, stencil, n);
-    const auto grid_velocity = sums.velocity(frame.spacing);
-    if constexpr (takes_velocity) transfer.update(p, grid_velocity);
-    if constexpr (moves) {
-      auto& x = get<field::Position>(p);
-      x += grid_velocity.pic * Pack<T>(T(dt));
-      body.material.update(p, embed(sums.increment(dt / frame.spacing)));
-      reporter.include(body, p);
-      stencil.locate(frame.in_cells(x, tile.block));
-      range.include(stencil);
-    } else {
-      Pack<T> value[width], axis[D][width];
-      momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
-      scatter_pack<Transfer::affine, Transfer::affine ? Halves::moment_slope : Halves::slope_slope>(
-          accumulators + tile.buffer * width, box, stencil, n, value, axis);
+    for (int i = 0; i < count; i += lanes) {
+      Values<Pack<T>, D, fields<field::Position>> p;
+      body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
+      stencil.template set<true>(in_tile.in_cells(get<field::Position>(p)), box);
+      sums[i / lanes].gather(nodes, box, stencil);
     }
-    body.particles.store(first, n, p, Written{});
+    for (int i = 0; i < count; i += lanes) {
+      const std::size_t first = begin + std::size_t(i);
+      const int n = std::min(lanes, count - i);
+      Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Mass, Written>> p;
+      body.particles.load(first, n, p);
+      const auto grid_velocity = sums[i / lanes].grid_velocity(spacing);
+      if constexpr (takes_velocity) transfer.update(p, grid_velocity);
+      if constexpr (moves) {
+        auto& x = get<field::Position>(p);
+        x += grid_velocity.pic * Pack<T>(T(dt));
+        material.update(p, embed(sums[i / lanes].increment(dt_over_h)));
+        reporter.include(material, p);
+        range.template include<Shape>(in_tile.in_cells(x));
+      } else {
+        const auto brought = Momentum<T, D>(p, spacing, transfer);
+        scatter_pack<Transfer::affine ? AxisWeights::moment : AxisWeights::none>(remapped, box, stencil, n,
+                                                                                 brought.value, brought.axis);
+      }
+      body.particles.store(first, n, p, Written{});
+    }
   });
   if constexpr (moves) range.put(tile);
   return reporter.of(body, tile);
@@ -208,10 +219,8 @@ template <class Shape, class B, class T, int D>
   for_each_pack(tile, [&](std::size_t first, int n) {
     Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, particle_fields_of<typename B::Material>>> p;
     body.particles.load(first, n, p);
-    reporter.include(body, p);
-    Stencil<T, D, Shape> stencil;
-    stencil.locate(frame.in_cells(get<field::Position>(p), tile.block));
-    range.include(stencil);
+    reporter.include(body.material, p);
+    range.template include<Shape>(frame.of_block(tile.block).in_cells(get<field::Position>(p)));
   });
   range.put(tile);
   return reporter.of(body, tile);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <tuple>
 
-#include <mote/passes/body.hpp>
+#include <mote/passes/scatter.hpp>
 
 namespace mote::passes {
 
@@ -26,9 +26,8 @@ struct GridLedger {
 
 /// Sums the records of all tiles that reach a block, in the order of tiles.
 /// \return whether any does
-template <class T, int D>
+template <int width, class T, int D>
 bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support, T* sums) {
-  constexpr int width = 2 * grid::node_width<D>;
   using Record = Simd<T, width>;
   std::fill_n(sums, grid::block_nodes<D> * width, T(0));
   bool touched = false;
@@ -38,10 +37,11 @@ bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulato
     const T* from = accumulators + tile.buffer * width;
     for_each_row(link, NodeBox<D>(tile, support), [&](int in_box, int in_block, int count) {
       touched = true;
-      for (int i = 0; i < count; ++i) {
+      unrolled<grid::block_edge>([&](auto i) __attribute__((always_inline)) {  // rows are short
+        if (i >= count) return;
         T* to = sums + (in_block + i) * width;
         write(Record(read<Record>(to) + read<Record>(from + std::ptrdiff_t(in_box + i) * width)), to);
-      }
+      });
     });
   }
   return touched;
@@ -78,11 +78,11 @@ template <class T, int D, class Loads>
 GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
                                grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, const Loads& loads, double time,
                                double dt) {
-  constexpr int half = grid::node_width<D>, width = 2 * half, nodes = grid::block_nodes<D>;
+  constexpr int half = grid::node_width<D>, width = MomentumAndForce<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
   GridLedger<D> ledger;
   const std::size_t first = std::size_t(block) * nodes;
-  if (!sum_tiles(block, tiling, accumulators, support, sums)) {
+  if (!sum_tiles<width>(block, tiling, accumulators, support, sums)) {
     std::fill_n(blocks.mass.data() + first, nodes, T(0));
     std::fill_n(blocks.velocity.data() + first * half, nodes * half, T(0));
     std::fill_n(blocks.previous.data() + first * half, nodes * half, T(0));
@@ -91,12 +91,12 @@ GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, con
   for (int i = 0; i < nodes; ++i) {
     const T* record = sums + i * width;
     const std::size_t node = first + std::size_t(i);
-    const T m = solid(record[0]), over_m = m > T(0) ? T(1) / m : T(0);
+    const T m = solid(record[2 * D]), over_m = m > T(0) ? T(1) / m : T(0);
     blocks.mass[node] = m;
     Vec<T, D> old{}, gain{};
     for (int a = 0; a < D; ++a) {
-      old[a] = over_m * record[1 + a];
-      gain[a] = T(dt) * (over_m * record[half + a]);
+      old[a] = over_m * record[2 * a];
+      gain[a] = T(dt) * (over_m * record[2 * a + 1]);
     }
     if constexpr (std::tuple_size_v < Loads >> 0) {
       if (m > T(0)) {
@@ -249,14 +249,14 @@ GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, co
 template <class T, int D>
 void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
                  grid::Blocks<T, D>& blocks) {
-  constexpr int half = grid::node_width<D>, width = 2 * half, nodes = grid::block_nodes<D>;
+  constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
-  sum_tiles(block, tiling, accumulators, support, sums);
+  sum_tiles<width>(block, tiling, accumulators, support, sums);
   for (int i = 0; i < nodes; ++i) {
     const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
-    const T m = solid(sums[i * width]);
+    const T m = blocks.mass[node];
     Vec<T, D> v{};
-    for (int a = 0; a < D; ++a) v[a] = m > T(0) ? sums[i * width + 1 + a] / m : T(0);
+    for (int a = 0; a < D; ++a) v[a] = m > T(0) ? sums[i * width + a] / m : T(0);
     set_node_vector(blocks.remapped.data(), node, v);
   }
 }

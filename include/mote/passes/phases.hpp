@@ -36,7 +36,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   std::vector<TileReport> reports_;
   std::vector<GridLedger<D>> block_ledgers_;
   GridLedger<D> ledger_;
-  bool remaps_;
+  bool remaps_, scattered_ = false;
   double time_ = 0, dt_ = 0;
 
  public:
@@ -63,13 +63,10 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
 
   // ---- the phases
 
-  /// Mass, momentum and internal force of all particles, per tile.
+  /// Mass, momentum and internal force of all particles, per tile; nothing to do if the last step has done it.
   void scatter_momentum_and_force() {
-    tiling_.place_buffers(Shape::support);
-    accumulators_.resize(tiling_.buffer_nodes * 2 * grid::node_width<D>);
-    for_each_tile([&](auto& body, std::uint32_t t) {
-      scatter_tile<Shape, Transfer>(body, tiling_.tiles[t], frame_, accumulators_.data());
-    });
+    if (!scattered_) for_each_tile([&](auto& body, std::uint32_t t) { scatter(body, t); });
+    scattered_ = false;
   }
 
   /// Velocities of all nodes after forces, loads and boundaries.
@@ -86,7 +83,8 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     for (const auto& l : block_ledgers_) ledger_ += l;
   }
 
-  /// Velocity, position and stress of the particles from one grid velocity.
+  /// Velocity, position and stress of the particles from one grid velocity; then, while a tile is at hand, what it
+  /// brings to the grid in the next step.
   void gather_velocity_and_deform() { gather_all<Task::velocity_and_deform>(); }
 
   /// Velocity of the particles, and its momentum back to the tiles.
@@ -102,7 +100,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     });
   }
 
-  /// Position from the grid velocity, stress from the remapped one.
+  /// Position from the grid velocity, stress from the remapped one; then what the next step starts with, as above.
   void deform() { gather_all<Task::deform>(); }
 
   // ---- between steps
@@ -128,9 +126,10 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     reports_.resize(tiling_.tiles.size());
     for_each_tile(
         [&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
-    // room for the boxes at their largest: pages that are not touched cost nothing, and no step allocates
-    reserve_amply(accumulators_,
-                  tiling_.tiles.size() * std::size_t(NodeBox<D>::capacity(Shape::support)) * 2 * grid::node_width<D>);
+    scattered_ = false;
+    const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;
+    reserve_amply(accumulators_, numbers);
+    accumulators_.resize(numbers);
     reserve_amply(block_ledgers_, blocks_.index.size() + tiling_.plane_blocks.size());
     if (std::any_of(tiling_.tiles.begin(), tiling_.tiles.end(), [](const auto& t) { return t.unlinked(); }))
       throw NumericalError(
@@ -211,6 +210,11 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   }
 
  private:
+  template <class B>
+  void scatter(const B& body, std::uint32_t tile) {
+    scatter_tile<Shape, Transfer>(body, tiling_.tiles[tile], frame_, accumulators_.data());
+  }
+
   template <class F>
   void for_each_tile(const F& f) {
     for_each_body([&](auto& body) {
@@ -224,7 +228,9 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     for_each_tile([&](auto& body, std::uint32_t t) {
       const TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_,
                                                     dt_, accumulators_.data());
-      if constexpr (task != Task::velocity_and_remap) reports_[t] = r;
+      if constexpr (task != Task::velocity_and_remap) {
+        reports_[t] = r;
+      }
     });
   }
 

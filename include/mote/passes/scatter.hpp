@@ -8,78 +8,113 @@
 
 namespace mote::passes {
 
-/// Coefficients of a pack of particles, transposed to one record per particle.
+/// Records of a tile's nodes: momentum and force in turns, then the mass, [p_x f_x p_y f_y p_z f_z m 0]; and what the
+/// particles of a pack bring to them.
 template <class T, int D>
-struct Coefficients {
+struct MomentumAndForce {
   static constexpr int width = 2 * grid::node_width<D>;
-  alignas(64) T value[lanes][width];
-  alignas(64) T axis[D][lanes][width];
+  Pack<T> value[width], axis[D][width];
+
+  MomentumAndForce() {
+    for (auto& c : value) c = T(0);
+    for (auto& a : axis)
+      for (auto& c : a) c = T(0);
+  }
+  template <class Transfer, class V>
+  void add_momentum(const V& p, double spacing) {
+    const Pack<T> m = get<field::Mass>(p);
+    value[2 * D] = m;
+    for (int i = 0; i < D; ++i) value[2 * i] = m * get<field::Velocity>(p)[i];
+    if constexpr (Transfer::affine) {
+      const Pack<T> mh = m * T(spacing);
+      for (int a = 0; a < D; ++a)
+        for (int i = 0; i < D; ++i) axis[a][2 * i] = mh * get<field::Affine>(p)(i, a);
+    }
+  }
+  /// -V sigma/h, which takes the slope weights.
+  template <class M, class V>
+  void add_force(const M& material, const V& p, double spacing) {
+    const SymTensor<Pack<T>> stress = material.stress(p);
+    const Pack<T> volume_over_h =
+        get<field::Mass>(p) * get<field::VolumeRatio>(p) * T(-1 / (material.rho0() * spacing));
+    for (int a = 0; a < D; ++a)
+      for (int i = 0; i < D; ++i) axis[a][2 * i + 1] = volume_over_h * stress(i, a);
+  }
 };
 
-/// Mass and momentum of a pack: value = [m, m v | 0], axis a = [0, m h C_a | 0] with the columns of an affine matrix.
-template <class Transfer, class T, int D, class V>
-void momentum_records(const V& p, double spacing, Pack<T> (&value)[2 * grid::node_width<D>],
-                      Pack<T> (&axis)[D][2 * grid::node_width<D>]) {
-  for (auto& c : value) c = T(0);
-  for (auto& a : axis)
-    for (auto& c : a) c = T(0);
-  const Pack<T> m = get<field::Mass>(p);
-  value[0] = m;
-  for (int i = 0; i < D; ++i) value[1 + i] = m * get<field::Velocity>(p)[i];
-  if constexpr (Transfer::affine) {
-    const Pack<T> mh = m * T(spacing);
-    for (int a = 0; a < D; ++a)
-      for (int i = 0; i < D; ++i) axis[a][1 + i] = mh * get<field::Affine>(p)(i, a);
-  }
-}
+/// Records [p_x p_y p_z 0] of the particles' new momenta.
+template <class T, int D>
+struct Momentum {
+  static constexpr int width = grid::node_width<D>;
+  Pack<T> value[width], axis[D][width];
 
-/// Adds the records of a pack's n particles to the nodes of the tile's box; without Axes, their values only.
-template <bool Axes, Halves H, class T, int D, class Shape>
-void scatter_pack(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil, int n,
-                  const Pack<T> (&value)[2 * grid::node_width<D>], const Pack<T> (&axis)[D][2 * grid::node_width<D>]) {
-  using Record = typename Stencil<T, D, Shape>::Record;
-  Coefficients<T, D> c;
-  to_records(value, c.value);
-  if constexpr (Axes)
-    for (int a = 0; a < D; ++a) to_records(axis[a], c.axis[a]);
-  for (int l = 0; l < n; ++l) {
-    Record along[D];
-    if constexpr (Axes)
-      for (int a = 0; a < D; ++a) along[a] = read<Record>(c.axis[a][l]);
-    else
-      for (auto& none : along) none = Record(0);
-    scatter<Axes, H>(nodes, box, stencil, l, read<Record>(c.value[l]), along);
+  template <class Transfer, class V>
+  Momentum(const V& p, double spacing, const Transfer&) {
+    for (auto& c : value) c = T(0);
+    for (auto& a : axis)
+      for (auto& c : a) c = T(0);
+    const Pack<T> m = get<field::Mass>(p);
+    for (int i = 0; i < D; ++i) value[i] = m * get<field::Velocity>(p)[i];
+    if constexpr (Transfer::affine) {
+      const Pack<T> mh = m * T(spacing);
+      for (int a = 0; a < D; ++a)
+        for (int i = 0; i < D; ++i) axis[a][i] = mh * get<field::Affine>(p)(i, a);
+    }
+  }
+};
+
+/// Adds the records of a pack's n particles to the nodes of the tile's box.
+template <AxisWeights Kind, class T, int D, class Shape, int width>
+[[gnu::always_inline]] inline void scatter_pack(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil,
+                                                int n, const Pack<T> (&value)[width],
+                                                const Pack<T> (&axis)[D][width]) {
+  using Record = Simd<T, width>;
+  const ScatterWeights<Kind, T, D, Shape> weights(stencil);
+  Contribution<Record, D> of[lanes];
+  {
+    Record records[lanes];
+    to_records(value, records);
+    for (int l = 0; l < lanes; ++l) of[l].value = records[l];
+    if constexpr (Kind != AxisWeights::none)
+      for (int a = 0; a < D; ++a) {
+        to_records(axis[a], records);
+        for (int l = 0; l < lanes; ++l) of[l].axis[a] = records[l];
+      }
+  }
+  for (int first = 0; first < n;) {
+    int last = first + 1;
+    while (last < n && stencil.node[last] == stencil.node[first]) ++last;
+    scatter<Kind>(nodes + std::ptrdiff_t(stencil.node[first]) * width, box, weights, of, first, last);
+    first = last;
   }
 }
 
 /// m_i = sum w m, p_i = sum w m (v + C (x_i - x_p)), f_i = -sum V sigma grad w for one tile.
 ///
-/// Records of the tile's nodes: [m, p | f].
-///
 /// Flattened, like the other passes over tiles: a pack that is handed over in memory costs more than what is done to
 /// it.
 template <class Shape, class Transfer, class B, class T, int D>
 [[gnu::flatten]] void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame, T* accumulators) {
-  constexpr int width = 2 * grid::node_width<D>;
-  constexpr auto halves = Transfer::affine ? Halves::moment_slope : Halves::slope_slope;
+  constexpr int width = MomentumAndForce<T, D>::width;
+  constexpr auto kind = Transfer::affine ? AxisWeights::moment_slope : AxisWeights::slope;
   const NodeBox<D> box(tile, Shape::support);
   T* nodes = accumulators + tile.buffer * width;
   std::fill_n(nodes, box.size * width, T(0));
+  // copies, which stores to columns cannot change: what depends on them alone is computed once
+  const auto material = body.material;
+  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
+  const double spacing = frame.spacing;
   for_each_pack(tile, [&](std::size_t first, int n) {
     using List = union_of<fields<field::Position, field::Velocity, field::Mass>, particle_fields_of<Transfer>,
                           particle_fields_of<typename B::Material>>;
     Values<Pack<T>, D, List> p;
     body.particles.load(first, n, p);
     Stencil<T, D, Shape> stencil;
-    stencil.template set<true, Transfer::affine>(frame.in_cells(get<field::Position>(p), tile.block), box);
-    Pack<T> value[width], axis[D][width];
-    momentum_records<Transfer, T, D>(p, frame.spacing, value, axis);
-    const SymTensor<Pack<T>> stress = body.material.stress(p);
-    const Pack<T> volume_over_h =
-        get<field::Mass>(p) * get<field::VolumeRatio>(p) * T(-1 / (body.material.rho0() * frame.spacing));
-    for (int a = 0; a < D; ++a)
-      for (int i = 0; i < D; ++i) axis[a][grid::node_width<D> + i] = volume_over_h * stress(i, a);
-    scatter_pack<true, halves>(nodes, box, stencil, n, value, axis);
+    stencil.template set<true>(in_tile.in_cells(get<field::Position>(p)), box);
+    MomentumAndForce<T, D> brought;
+    brought.template add_momentum<Transfer>(p, spacing);
+    brought.add_force(material, p, spacing);
+    scatter_pack<kind>(nodes, box, stencil, n, brought.value, brought.axis);
   });
 }
 

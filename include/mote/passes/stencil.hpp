@@ -1,12 +1,12 @@
 /// \file
 /// The tensor-product kernels of a pack of particles, and the two contractions that every transfer is made of.
 ///
-/// A node record has two halves of node_width<D> numbers each. One pass over a particle's nodes gathers (or scatters)
-/// both: `value` weights w w w apply to the whole record, `slope` weights are the derivative of w along one axis in one
-/// half and, for affine transfers, its first moment w (i - f) in the other.
+/// Both are sum-factorised. To gather, the lanes are the particles of a pack: those of one cell share their nodes, and
+/// a node's number is spread over all of them. To scatter, the lanes are the numbers of a node's record.
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include <mote/core/field.hpp>
 #include <mote/grid/blocks.hpp>
@@ -14,178 +14,226 @@
 
 namespace mote::passes {
 
-/// Which weights the two halves of a node record get in the axis-wise contraction.
-enum class Halves { slope_slope, slope_moment, moment_slope };
+/// Calls f(0), ..., f(n - 1) with constants, unrolled.
+template <int n, class F>
+[[gnu::always_inline]] inline void unrolled(F&& f) {
+  [&]<int... i>(std::integer_sequence<int, i...>) __attribute__((always_inline)) {
+    (f(std::integral_constant<int, i>{}), ...);
+  }
+  (std::make_integer_sequence<int, n>{});
+}
 
-/// Weights and first nodes of up to eight particles.
+/// Axis-wise weights of a pack of particles, and where their nodes are in the tile's box.
 template <class T, int D, class Shape>
 struct Stencil {
   static constexpr int support = Shape::support;
-  static constexpr int width = 2 * grid::node_width<D>;
-  using Record = Simd<T, width>;
+  /// First moments are taken about this node of the stencil, which does not enter them then.
+  static constexpr int middle = (support - 1) / 2;
 
-  alignas(64) T value[D][support][lanes];
-  alignas(64) T slope[D][support][lanes];
-  alignas(64) T moment[D][support][lanes];
-  int node[lanes];         ///< the lowest node's number in the tile's box
-  int relative[D][lanes];  ///< the lowest node relative to the tile's block
+  Pack<T> value[D][support];  ///< w_i
+  Pack<T> slope[D][support];  ///< d w_i / d xi
+  Pack<T> offset[D];          ///< position in cells from the middle node
+  int node[lanes];            ///< the lowest node's number in the tile's box
 
   /// \param xi positions in cells, relative to the first node of the tile's block
-  template <bool Slopes, bool Moments>
-  void set(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
-    for (int l = 0; l < lanes; ++l) node[l] = 0;
+  ///
+  /// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of
+  /// the same expression, or a column that was written from outside, NaN too, from reaching beyond it.
+  template <bool Slopes>
+  [[gnu::always_inline]] void set(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
+    Pack<T> place = T(0);
     for (int a = 0; a < D; ++a) {
       const auto u = std::size_t(a);
-      const Pack<T> base = inside(floor(Pack<T>(xi[a] - T(Shape::first)), relative[a]), box.lo[u],
-                                  box.lo[u] + box.extent[u] - support, relative[a]);
+      const Pack<T> lo(T(box.lo[u])), hi(T(box.lo[u] + box.extent[u] - support));
+      const Pack<T> base = max(lo, min(hi, floor(Pack<T>(xi[a] - T(Shape::first)))));
       const Pack<T> f = xi[a] - base;
-      for (int l = 0; l < lanes; ++l) node[l] += (relative[a][l] - box.lo[u]) * box.stride[u];
-      Pack<T> w[support], d[support];
-      Shape::values(f, w);
-      if constexpr (Slopes) Shape::slopes(f, d);
-      for (int i = 0; i < support; ++i) {
-        write(w[i], value[a][i]);
-        if constexpr (Slopes) write(d[i], slope[a][i]);
-        if constexpr (Moments) write(Pack<T>(w[i] * (T(i) - f)), moment[a][i]);
-      }
+      place += (base - lo) * T(box.stride[u]);
+      offset[a] = f - T(middle);
+      Shape::values(f, value[a]);
+      if constexpr (Slopes) Shape::slopes(f, slope[a]);
     }
+    to_integers(place, node);
   }
 
-  /// The lowest nodes only.
-  void locate(const Vec<Pack<T>, D>& xi) {
-    for (int a = 0; a < D; ++a) floor(Pack<T>(xi[a] - T(Shape::first)), relative[a]);
-  }
-
-  /// Axis-wise weights of one particle for both halves.
-  template <Halves H>
-  [[gnu::always_inline]] Record axis_weight(int a, int i, int l) const {
-    if constexpr (H == Halves::slope_slope) {
-      return Record(slope[a][i][l]);
-    } else {
-      constexpr bool slope_first = H == Halves::slope_moment;
-      const T first = slope_first ? slope[a][i][l] : moment[a][i][l],
-              second = slope_first ? moment[a][i][l] : slope[a][i][l];
-      return mote::halves<T, width>(first, second);
-    }
-  }
-
- private:
-  /// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of
-  /// the same expression, or a column that was written from outside, from reaching beyond it.
-  static Pack<T> inside(const Pack<T>& base, int lo, int hi, int (&whole)[lanes]) {
-    for (int& w : whole) w = std::clamp(w, lo, hi);
-    return max(min(base, Pack<T>(hi)), Pack<T>(lo));
+  bool one_cell() const {
+    int differ = 0;
+    for (int l = 1; l < lanes; ++l) differ |= node[l] ^ node[0];
+    return differ == 0;
   }
 };
 
-/// What a particle gathers from its nodes: the value and, per axis, the axis-wise contraction.
-template <class Record, int D>
-struct Gathered {
-  Record value;
-  Record axis[D];
+/// What particles gather of one node field: sum w f, the gradient per cell sum (dw/dxi_a) f, and the first moments
+/// sum w (xi_i - xi_p)_a f.
+template <class T, int D>
+struct Sums {
+  Pack<T> value, slope[D], moment[D];
 };
 
-/// Sums over the nodes of particle l: sum-factorised, last axis first. `nodes` points at the tile's box.
-template <bool Axes, Halves H, class T, int D, class Shape>
-[[gnu::always_inline]] inline auto gather(const T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l) {
-  using Record = typename Stencil<T, D, Shape>::Record;
-  constexpr int n = Shape::support, width = Stencil<T, D, Shape>::width, z = D - 1;
-  Gathered<Record, D> sum{};
-  const T* first = nodes + std::ptrdiff_t(s.node[l]) * width;
-  Record w[n], u[n];
-  for (int k = 0; k < n; ++k) {
-    w[k] = Record(s.value[z][k][l]);
-    if constexpr (Axes) u[k] = s.template axis_weight<H>(z, k, l);
-  }
-  const auto row = [&](const T* at, Record& value, Record& along) __attribute__((always_inline)) {
-    Record node = read<Record>(at);
-    value = w[0] * node;
-    if constexpr (Axes) along = u[0] * node;
-    for (int k = 1; k < n; ++k) {
-      node = read<Record>(at + k * width);
-      value += w[k] * node;
-      if constexpr (Axes) along += u[k] * node;
-    }
-  };
-  if constexpr (D == 1) {
-    row(first, sum.value, sum.axis[0]);
+/// Which sums are wanted.
+struct Wanted {
+  bool slopes, moments;
+};
+
+/// Sums over the nodes of one cell's particles along the axes from A on. Moments are about the middle node.
+template <Wanted W, int A, class T, int D, class Shape>
+[[gnu::always_inline]] inline Sums<T, D> contract(const T* at, const IVec<D>& stride,
+                                                  const Stencil<T, D, Shape>& s) {
+  Sums<T, D> sum;
+  if constexpr (A == D) {
+    sum.value = Pack<T>(*at);
   } else {
-    const auto plane = [&](const T* at, Record& value, Record& along_y, Record& along_z)
-        __attribute__((always_inline)) {
-      constexpr int y = D - 2;
-      value = along_y = along_z = Record(0);
-      for (int j = 0; j < n; ++j) {
-        Record a, b;
-        row(at + j * box.stride[std::size_t(y)] * width, a, b);
-        const Record wj(s.value[y][j][l]);
-        value += wj * a;
-        if constexpr (Axes) {
-          along_y += s.template axis_weight<H>(y, j, l) * a;
-          along_z += wj * b;
-        }
+    constexpr int middle = Stencil<T, D, Shape>::middle;
+    unrolled<Shape::support>([&](auto i) __attribute__((always_inline)) {
+      const Sums<T, D> inner = contract<W, A + 1>(at + i * stride[A], stride, s);
+      const auto add = [&](Pack<T>& to, const Pack<T>& term) __attribute__((always_inline)) {
+        to = i == 0 ? term : Pack<T>(to + term);
+      };
+      const Pack<T> weighted = s.value[A][i] * inner.value;
+      add(sum.value, weighted);
+      if constexpr (W.slopes) add(sum.slope[A], s.slope[A][i] * inner.value);
+      if constexpr (W.moments && i != middle) {
+        const Pack<T> moment = i == middle + 1 ? weighted : Pack<T>(T(i - middle) * weighted);
+        sum.moment[A] = i == (middle == 0) ? moment : Pack<T>(sum.moment[A] + moment);
       }
-    };
-    if constexpr (D == 2) {
-      plane(first, sum.value, sum.axis[0], sum.axis[1]);
-    } else {
-      sum.value = sum.axis[0] = sum.axis[1] = sum.axis[2] = Record(0);
-      for (int i = 0; i < n; ++i) {
-        Record a, b, c;
-        plane(first + i * box.stride[0] * width, a, b, c);
-        const Record wi(s.value[0][i][l]);
-        sum.value += wi * a;
-        if constexpr (Axes) {
-          sum.axis[0] += s.template axis_weight<H>(0, i, l) * a;
-          sum.axis[1] += wi * b;
-          sum.axis[2] += wi * c;
-        }
+      for (int b = A + 1; b < D; ++b) {
+        if constexpr (W.slopes) add(sum.slope[b], s.value[A][i] * inner.slope[b]);
+        if constexpr (W.moments) add(sum.moment[b], s.value[A][i] * inner.moment[b]);
       }
-    }
+    });
   }
   return sum;
 }
 
-/// Adds to the nodes of particle l: value weights times `value` plus (with Axes), per axis, axis-wise weights times
-/// axis[a].
-template <bool Axes, Halves H, class T, int D, class Shape, class Record>
-[[gnu::always_inline]] inline void scatter(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& s, int l,
-                                           const Record& value, const Record (&axis)[D]) {
-  constexpr int n = Shape::support, width = int(Record::size()), z = D - 1;
-  T* first = nodes + std::ptrdiff_t(s.node[l]) * width;
-  Record w[n], u[n];
-  for (int k = 0; k < n; ++k) {
-    w[k] = Record(s.value[z][k][l]);
-    u[k] = Axes ? s.template axis_weight<H>(z, k, l) : w[k];
+/// Sums of the components of a node field for the particles of one cell; `field` is the lowest node's.
+template <Wanted W, class T, int D, class Shape>
+[[gnu::always_inline]] inline void gather_cell(const T* field, const IVec<D>& stride, const Stencil<T, D, Shape>& s,
+                                               Sums<T, D> (&sums)[D]) {
+  for (int c = 0; c < D; ++c) {
+    sums[c] = contract<W, 0>(field + c, stride, s);
+    if constexpr (W.moments)
+      for (int a = 0; a < D; ++a) sums[c].moment[a] -= s.offset[a] * sums[c].value;
   }
-  const auto add = [&](Record sum, const Record& more) __attribute__((always_inline)) {
-    if constexpr (Axes) sum += more;
-    return sum;
-  };
-  const auto row = [&](T * at, const Record& value_xy, const Record& along) __attribute__((always_inline)) {
-    for (int k = 0; k < n; ++k)
-      write(Record(read<Record>(at + k * width) + add(w[k] * value_xy, u[k] * along)), at + k * width);
-  };
-  if constexpr (D == 1) {
-    row(first, value, axis[0]);
-  } else {
-    constexpr int y = D - 2;
-    const auto plane = [&](T * at, const Record& value_x, const Record& along_y, const Record& along_z)
-        __attribute__((always_inline)) {
-      for (int j = 0; j < n; ++j) {
-        const Record wj(s.value[y][j][l]);
-        row(at + j * box.stride[std::size_t(y)] * width,
-            add(wj * value_x, s.template axis_weight<H>(y, j, l) * along_y), wj * along_z);
-      }
-    };
-    if constexpr (D == 2) {
-      plane(first, value, axis[0], axis[1]);
-    } else {
-      for (int i = 0; i < n; ++i) {
-        const Record wi(s.value[0][i][l]);
-        plane(first + i * box.stride[0] * width, add(wi * value, s.template axis_weight<H>(0, i, l) * axis[0]),
-              wi * axis[1], wi * axis[2]);
+}
+
+/// Sums of the components of a node field for a pack of particles; `field` points at the tile's box, node_width<D>
+/// numbers per node. Cells take turns.
+template <Wanted W, class T, int D, class Shape>
+[[gnu::always_inline]] inline void gather(const T* field, const NodeBox<D>& box, const Stencil<T, D, Shape>& s,
+                                          Sums<T, D> (&sums)[D]) {
+  constexpr int width = grid::node_width<D>;
+  IVec<D> stride;
+  for (int a = 0; a < D; ++a) stride[a] = box.stride[std::size_t(a)] * width;
+  const auto first = [&](int l) { return field + std::ptrdiff_t(s.node[l]) * width; };
+  gather_cell<W>(first(0), stride, s, sums);
+  if (s.one_cell()) [[likely]] return;
+  Pack<T> place([&](int l) { return T(s.node[l]); });
+  unsigned left = (1u << lanes) - 1;
+  for (int at = 0;;) {
+    for (int l = 0; l < lanes; ++l) left &= ~(unsigned(s.node[l] == s.node[at]) << l);
+    if (left == 0) return;
+    at = __builtin_ctz(left);
+    const auto here = place == Pack<T>(T(s.node[at]));
+    Sums<T, D> more[D];
+    gather_cell<W>(first(at), stride, s, more);
+    for (int c = 0; c < D; ++c) {
+      sums[c].value = select(here, more[c].value, sums[c].value);
+      for (int a = 0; a < D; ++a) {
+        if constexpr (W.slopes) sums[c].slope[a] = select(here, more[c].slope[a], sums[c].slope[a]);
+        if constexpr (W.moments) sums[c].moment[a] = select(here, more[c].moment[a], sums[c].moment[a]);
       }
     }
+  }
+}
+
+/// Which axis-wise weights the numbers of a node's record take.
+enum class AxisWeights {
+  none,          ///< the record has a value only
+  slope,         ///< dw/dxi
+  moment,        ///< w (xi_i - xi_p)
+  moment_slope,  ///< in turns: moment for even numbers of the record, slope for odd ones
+};
+
+/// The weights of a pack, particle by particle.
+template <AxisWeights Kind, class T, int D, class Shape>
+struct ScatterWeights {
+  static constexpr int support = Shape::support, each = Kind == AxisWeights::moment_slope ? 2 : 1;
+  alignas(64) T value[D][support][lanes];
+  alignas(64) T axis[D][support][lanes][each];
+
+  explicit ScatterWeights(const Stencil<T, D, Shape>& s) {
+    for (int a = 0; a < D; ++a)
+      for (int i = 0; i < support; ++i) {
+        write(s.value[a][i], value[a][i]);
+        const auto moment = [&] {
+          return Pack<T>(s.value[a][i] * (T(i - Stencil<T, D, Shape>::middle) - s.offset[a]));
+        };
+        if constexpr (Kind == AxisWeights::slope) write(s.slope[a][i], axis[a][i][0]);
+        if constexpr (Kind == AxisWeights::moment) write(moment(), axis[a][i][0]);
+        if constexpr (Kind == AxisWeights::moment_slope) write_in_turns(moment(), s.slope[a][i], axis[a][i][0]);
+      }
+  }
+};
+
+/// What particle l brings to its nodes: a record that takes the weights w, and one per axis for the axis-wise weights.
+template <class Record, int D>
+struct Contribution {
+  Record value, axis[D];
+};
+
+/// Adds sum over particles from `first` to `last`, which share their nodes, of w value + sum_a u_a axis[a], to the
+/// records of those nodes; `at` is the lowest.
+template <AxisWeights Kind, class Record, class T, int D, class Shape>
+[[gnu::always_inline]] inline void scatter(T* at, const NodeBox<D>& box, const ScatterWeights<Kind, T, D, Shape>& w,
+                                           const Contribution<Record, D>* of, int first, int last) {
+  constexpr int n = Shape::support, width = int(Record::size()), planes = D == 3 ? n : 1, rows = D == 1 ? 1 : n;
+  constexpr int y = D == 1 ? 0 : D - 2, z = D - 1;
+  constexpr bool axes = Kind != AxisWeights::none;
+  const auto value = [&](int a, int i, int l) __attribute__((always_inline)) { return Record(w.value[a][i][l]); };
+  const auto axis = [&](int a, int i, int l) __attribute__((always_inline)) {
+    return repeated<Record>(w.axis[a][i][l]);
+  };
+  // w a + u b
+  const auto both = [&](int axis_number, int i, int l, const Record& a, const Record& b) __attribute__((always_inline)) {
+    if constexpr (axes)
+      return Record(value(axis_number, i, l) * a + axis(axis_number, i, l) * b);
+    else
+      return Record(value(axis_number, i, l) * a);
+  };
+  const std::ptrdiff_t row_stride = D == 1 ? 0 : std::ptrdiff_t(box.stride[std::size_t(y)]) * width;
+  for (int i = 0; i < planes; ++i) {
+    T* plane = at + (D == 3 ? std::ptrdiff_t(i) * box.stride[0] * width : 0);
+    Record sum[rows][n];
+    unrolled<rows>([&](auto j) __attribute__((always_inline)) {
+      unrolled<n>([&](auto k) __attribute__((always_inline)) { sum[j][k] = read<Record>(plane + j * row_stride + k * width); });
+    });
+    for (int l = first; l < last; ++l) {
+      Record a = of[l].value, along_y, along_z;
+      if constexpr (axes) {
+        along_y = of[l].axis[y];
+        along_z = of[l].axis[z];
+      }
+      if constexpr (D == 3) {
+        a = both(0, i, l, a, of[l].axis[0]);
+        if constexpr (axes) along_y *= value(0, i, l), along_z *= value(0, i, l);
+      }
+      Record wk[n], uk[n];
+      unrolled<n>([&](auto k) __attribute__((always_inline)) {
+        wk[k] = value(z, k, l);
+        if constexpr (axes) uk[k] = axis(z, k, l);
+      });
+      unrolled<rows>([&](auto j) __attribute__((always_inline)) {
+        const Record aj = D == 1 ? a : both(y, j, l, a, along_y);
+        Record bj;
+        if constexpr (axes) bj = D == 1 ? along_z : Record(value(y, j, l) * along_z);
+        unrolled<n>([&](auto k) __attribute__((always_inline)) {
+          sum[j][k] += wk[k] * aj;
+          if constexpr (axes) sum[j][k] += uk[k] * bj;
+        });
+      });
+    }
+    unrolled<rows>([&](auto j) __attribute__((always_inline)) {
+      unrolled<n>([&](auto k) __attribute__((always_inline)) { write(sum[j][k], plane + j * row_stride + k * width); });
+    });
   }
 }
 

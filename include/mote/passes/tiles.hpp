@@ -112,15 +112,13 @@ struct Tiling {
   std::vector<std::uint32_t> block_links_begin;  ///< per block, into block_links; one more than blocks
   std::vector<std::uint32_t> block_links;        ///< numbers of links, by block, in the order of tiles
   std::vector<std::uint32_t> plane_blocks;       ///< blocks with nodes that a mirror plane changes
-  std::uint64_t buffer_nodes = 0;
 
-  /// Gives each tile its place in the accumulators for the node box that it has now.
-  void place_buffers(int support) {
-    buffer_nodes = 0;
-    for (auto& tile : tiles) {
-      tile.buffer = buffer_nodes;
-      buffer_nodes += std::uint64_t(NodeBox<D>(tile, support).size);
-    }
+  /// Gives each tile its place in the accumulators, with room for the largest box; what is not used is never touched.
+  /// \return nodes in all
+  std::size_t place_buffers(int support) {
+    const auto capacity = std::uint64_t(NodeBox<D>::capacity(support));
+    for (std::size_t t = 0; t < tiles.size(); ++t) tiles[t].buffer = t * capacity;
+    return tiles.size() * capacity;
   }
 };
 
