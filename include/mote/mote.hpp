@@ -57,12 +57,14 @@
 #include <mote/passes/body.hpp>
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
+#include <mote/passes/images.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/scatter.hpp>
 #include <mote/passes/sort.hpp>
 #include <mote/passes/stencil.hpp>
 #include <mote/passes/tiles.hpp>
 #include <mote/shape/concept.hpp>
+#include <mote/shape/cubic_bspline.hpp>
 #include <mote/shape/linear.hpp>
 #include <mote/shape/quadratic_bspline.hpp>
 #include <mote/sleep/never.hpp>
