@@ -17,7 +17,7 @@
 
 namespace textbook {
 
-enum class Shape { linear, quadratic };
+enum class Shape { linear, quadratic, cubic };
 enum class Transfer { flip, apic };
 enum class Update { usl, musl };
 
@@ -34,9 +34,10 @@ struct Particles {
 /// The loop. Fill it with add(), move it with step(dt); everything may be read and written between steps.
 template <Shape S, Transfer T, Update U>
 class Loop : public Grid {
-  static constexpr int N = S == Shape::linear ? 2 : 3;
+  static constexpr int N = S == Shape::linear ? 2 : (S == Shape::quadratic ? 3 : 4);
+  static constexpr int ghosts = N / 2;  // of a particle up to half a cell beyond a plane
   static constexpr bool apic = T == Transfer::apic, flip = !apic, musl = U == Update::musl, usl = !musl;
-  static constexpr bool moments = apic && S == Shape::quadratic;  // else C is the velocity gradient
+  static constexpr bool moments = apic && S != Shape::linear;  // else C is the velocity gradient
 
  public:
   Metal metal;
@@ -46,7 +47,7 @@ class Loop : public Grid {
   Particles particles;
 
   explicit Loop(const Box& where, const Metal& material = {})
-      : Grid(where), metal(material), inverse(1 / where.spacing) {}
+      : Grid(where, ghosts), metal(material), inverse(1 / where.spacing) {}
 
   /// Adds a particle at rest density.
   void add(const Vector& x, const Vector& v, double mass, double temperature = 300) {
@@ -95,14 +96,21 @@ class Loop : public Grid {
     Stencil t;
     for (int a = 0; a < 3; ++a) {
       const double xi = particles.x[a][p] * inverse;
-      const double base = std::floor(S == Shape::linear ? xi : xi - 0.5), f = xi - base;
+      const double base = std::floor(xi - 0.5 * (N - 2)), f = xi - base;
       double *w = t.w[a], *d = t.d[a];
       if constexpr (S == Shape::linear) {
         w[0] = 1 - f, w[1] = f;
         d[0] = -inverse, d[1] = inverse;
-      } else {
+      } else if constexpr (S == Shape::quadratic) {
         w[0] = 0.5 * (1.5 - f) * (1.5 - f), w[1] = 0.75 - (f - 1) * (f - 1), w[2] = 0.5 * (f - 0.5) * (f - 0.5);
         d[0] = (f - 1.5) * inverse, d[1] = 2 * (1 - f) * inverse, d[2] = (f - 0.5) * inverse;
+      } else {  // |r|^3/2 - r^2 + 2/3 within a cell of the particle, (2 - |r|)^3/6 beyond
+        for (int k = 0; k < N; ++k) {
+          const double r = std::abs(f - k), outer = 2 - r;
+          const bool inner = k == 1 || k == 2;
+          w[k] = inner ? 0.5 * r * r * r - r * r + 2.0 / 3 : 1.0 / 6 * outer * outer * outer;
+          d[k] = (inner ? 1.5 * r * r - 2 * r : -0.5 * outer * outer) * (k < f ? inverse : -inverse);
+        }
       }
       const int start = int(base) - first[a];
       if (!box.periodic[a] && (start < 0 || start + N > count[a])) throw std::out_of_range("a particle left the grid");
@@ -205,7 +213,7 @@ class Loop : public Grid {
 
   /// The particle's new velocity, and C with APIC.
   void take_velocity(std::size_t p, const Gathered& g) {
-    const double D = 0.25 * box.spacing * box.spacing;
+    const double D = (S == Shape::cubic ? 1.0 / 3 : 0.25) * box.spacing * box.spacing;
     for (int a = 0; a < 3; ++a) {
       double& v = particles.v[a][p];
       v = apic ? g.v[a] : g.v[a] + blend * (v - g.old[a]);

@@ -19,7 +19,8 @@ struct Plane {
 };
 
 /// The box of nodes that the material may touch. Nodes lie at index * spacing, from `lower` to `upper`; a periodic axis
-/// repeats after upper - lower cells. Mirror planes lie inside the box; ghost layers are added around it.
+/// repeats after upper - lower cells. Mirror planes lie inside the box, at least as many cells apart as there are ghost
+/// layers; these are added around it.
 struct Box {
   double spacing;
   std::array<int, 3> lower, upper;
@@ -39,7 +40,7 @@ struct Motion {
 
 /// All nodes with their ghosts, z fastest.
 class Grid {
-  static constexpr int ghosts = 1;
+  int ghosts;
 
  public:
   Box box;
@@ -48,7 +49,8 @@ class Grid {
   std::vector<Node> nodes;
   std::vector<Motion> motion;
 
-  explicit Grid(const Box& where) : box(where) {
+  /// \param layers of ghost nodes: those beyond a plane that a particle may touch
+  Grid(const Box& where, int layers) : ghosts(layers), box(where) {
     for (int a = 0; a < 3; ++a) {
       first[a] = box.lower[a] - (box.periodic[a] ? 0 : ghosts);
       count[a] = box.upper[a] - box.lower[a] + (box.periodic[a] ? 0 : 1 + 2 * ghosts);
@@ -111,6 +113,12 @@ class Grid {
       }
   }
 
+  /// The same for all ghosts of a plane.
+  template <class F>
+  void each_ghost(const Plane& plane, F f) const {
+    for (int layer = 1; layer <= ghosts; ++layer) each_pair(plane, layer, f);
+  }
+
   /// p/m with the images folded onto the real nodes (one axis after the other, so all products of planes come in),
   /// zero where a plane holds the node, mirrored back onto the ghosts.
   template <double (Motion::*V)[3], bool FoldMass>
@@ -126,7 +134,7 @@ class Grid {
     }
     if (planes.empty()) return;
     for (const Plane& plane : planes)
-      each_pair(plane, 1, [&](std::size_t real, std::size_t image) {
+      each_ghost(plane, [&](std::size_t real, std::size_t image) {
         if (FoldMass) nodes[real].folded += nodes[image].folded;
         for (int a = 0; a < 3; ++a) (motion[real].*V)[a] += plane.sign(a) * (motion[image].*V)[a];
       });
@@ -138,7 +146,7 @@ class Grid {
           if (plane.sign(a) < 0) (motion[real].*V)[a] = 0;
       });
     for (const Plane& plane : planes)
-      each_pair(plane, 1, [&](std::size_t real, std::size_t image) {
+      each_ghost(plane, [&](std::size_t real, std::size_t image) {
         for (int a = 0; a < 3; ++a) (motion[image].*V)[a] = plane.sign(a) * (motion[real].*V)[a];
       });
   }

@@ -23,12 +23,13 @@ const Combination* find(const Options& o, const std::array<Combination, N>&... t
 }  // namespace
 
 const Combination& find_combination(const Options& o) {
-  const auto* found =
-      find(o, linear_flip, linear_apic, quadratic_flip, quadratic_apic, linear_flip_float, quadratic_apic_float);
+  const auto* found = find(o, linear_flip, linear_apic, quadratic_flip, quadratic_apic, cubic_flip, cubic_apic,
+                           linear_flip_float, quadratic_apic_float, cubic_apic_float);
   if (found) return *found;
   throw BadOption(mote::text("--precision ", to_string(o.precision), " is not available with --shape ",
                              to_string(o.shape), " --transfer ", to_string(o.transfer), " --update ",
-                             to_string(o.update), "; it is with quadratic apic usl and linear flip musl"));
+                             to_string(o.update),
+                             "; it is with quadratic apic usl, cubic apic usl and linear flip musl"));
 }
 
 }  // namespace cavity

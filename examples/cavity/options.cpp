@@ -39,7 +39,8 @@ struct Words {
   }
 };
 
-const Words<Shape> shapes{"shape", {{"linear", Shape::linear}, {"quadratic", Shape::quadratic}}, {"gimp", "cubic"}};
+const Words<Shape> shapes{
+    "shape", {{"linear", Shape::linear}, {"quadratic", Shape::quadratic}, {"cubic", Shape::cubic}}, {"gimp"}};
 const Words<Transfer> transfers{"transfer", {{"flip", Transfer::flip}, {"apic", Transfer::apic}}, {"xpic"}};
 const Words<Update> updates{"update", {{"usl", Update::usl}, {"musl", Update::musl}}, {"usf"}};
 const Words<Precision> precisions{"precision", {{"double", Precision::double_}, {"float", Precision::single_}}};

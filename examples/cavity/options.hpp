@@ -9,7 +9,7 @@
 
 namespace cavity {
 
-enum class Shape { linear, quadratic };
+enum class Shape { linear, quadratic, cubic };
 enum class Transfer { flip, apic };
 enum class Update { usl, musl };
 enum class Precision { single_, double_ };

@@ -35,9 +35,8 @@ bad_words() {
   refuses "speed" --speed fast
   refuses "--seed is -1; it must be >= 0" --seed -1
   refuses "--preset is 'best'; choose paper, accurate or quick" --preset best
-  refuses "--shape gimp is not available yet; choose linear or quadratic" --shape gimp
-  refuses "--shape cubic is not available yet; choose linear or quadratic" --shape cubic
-  refuses "--shape is 'round'; choose linear or quadratic" --shape round
+  refuses "--shape gimp is not available yet; choose linear, quadratic or cubic" --shape gimp
+  refuses "--shape is 'round'; choose linear, quadratic or cubic" --shape round
   refuses "--transfer xpic is not available yet; choose flip or apic" --transfer xpic
   refuses "--update usf is not available yet; choose usl or musl" --update usf
   refuses "--sleep on is not available yet; choose off" --sleep on
@@ -82,6 +81,7 @@ bad_cavities_and_combinations() {
   refuses "--flip-blend does not go with --transfer apic" --flip-blend 0.5
   refuses "--flip-blend is 2; it must be from 0 to 1" --transfer flip --flip-blend 2
   refuses "--precision float is not available with --shape linear --transfer apic" --precision float --shape linear
+  refuses "it is with quadratic apic usl, cubic apic usl and linear flip musl" --precision float --shape cubic --update musl
 }
 
 bad_directories() {
@@ -117,13 +117,15 @@ good() {
 
 runs() {
   good solid --radius 0
-  for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl"; do
+  for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl" \
+    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl"; do
     read -r shape transfer update <<<"$scheme"
     good "$shape-$transfer-$update" --shape "$shape" --transfer "$transfer" --update "$update" --frames 0
   done
   good full --domain full --fill lattice
   good quarter --fill lattice
   good float --precision float --frames 0
+  good cubic-float --precision float --shape cubic --frames 0
   good into-wall --speed -100 --jitter 0.2 --seed 7 --frames 0 --threads 3 --flip-blend 0.9 --transfer flip
 }
 

@@ -120,5 +120,11 @@ TEST_CASE("a column stays one-dimensional and equals the 1-D run: quadratic APIC
 TEST_CASE("a column stays one-dimensional and equals the 1-D run: quadratic FLIP USL") {
   check_scheme(shape::QuadraticBSpline{}, transfer::Flip{}, update::Usl{});
 }
+TEST_CASE("a column stays one-dimensional and equals the 1-D run: cubic APIC USL") {
+  check_scheme(shape::CubicBSpline{}, transfer::Apic{}, update::Usl{});
+}
+TEST_CASE("a column stays one-dimensional and equals the 1-D run: cubic FLIP MUSL") {
+  check_scheme(shape::CubicBSpline{}, transfer::Flip{}, update::Musl{});
+}
 
 }  // namespace

@@ -91,5 +91,11 @@ TEST_CASE("a quarter equals its part of the whole: quadratic FLIP USL") {
 TEST_CASE("a quarter equals its part of the whole: linear FLIP MUSL") {
   check(Scheme<shape::Linear, transfer::Flip, update::Musl>{});
 }
+TEST_CASE("a quarter equals its part of the whole: cubic APIC USL") {
+  check(Scheme<shape::CubicBSpline, transfer::Apic, update::Usl>{});
+}
+TEST_CASE("a quarter equals its part of the whole: cubic FLIP MUSL") {
+  check(Scheme<shape::CubicBSpline, transfer::Flip, update::Musl>{});
+}
 
 }  // namespace

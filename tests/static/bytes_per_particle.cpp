@@ -23,7 +23,7 @@ inline constexpr int bytes =
 using Aluminium = decltype(aluminium);
 using ColdElastic = decltype(cold_elastic);
 using Water = decltype(water);
-using shape::Linear, shape::QuadraticBSpline, transfer::Apic, transfer::Flip;
+using shape::CubicBSpline, shape::Linear, shape::QuadraticBSpline, transfer::Apic, transfer::Flip;
 
 constexpr int id = 4;
 
@@ -54,6 +54,7 @@ static_assert(bytes<3, float, QuadraticBSpline, Apic, Aluminium> == 26 * 4 + id)
 
 // neither shape functions, update orders nor executors add columns
 static_assert(bytes<3, double, QuadraticBSpline, Flip, Aluminium> == bytes<3, double, Linear, Flip, Aluminium>);
+static_assert(bytes<3, double, CubicBSpline, Apic, Aluminium> == bytes<3, double, QuadraticBSpline, Apic, Aluminium>);
 static_assert(decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, update::Musl{}, execution::Threads{},
                               timestep::Cfl{}, aluminium})::bytes_per_particle<0> == 140);
 

@@ -151,7 +151,8 @@ struct ShapeWithoutSlopes : GoodShape {
   static void slopes();
 };
 
-static_assert(Shape<GoodShape> && Shape<shape::Linear> && Shape<shape::QuadraticBSpline>);
+static_assert(Shape<GoodShape> && Shape<shape::Linear> && Shape<shape::QuadraticBSpline> &&
+              Shape<shape::CubicBSpline>);
 static_assert(!Shape<int> && !Shape<ShapeWithoutRole> && !Shape<ShapeWithoutSupport> && !Shape<ShapeWithoutFirst>);
 static_assert(!Shape<ShapeWithoutInertia> && !Shape<ShapeWithoutValues> && !Shape<ShapeWithoutSlopes>);
 

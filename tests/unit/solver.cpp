@@ -62,7 +62,7 @@ TEMPLATE_TEST_CASE("a body in oblique flight at 1 km/s stays without stress betw
 }
 
 TEMPLATE_TEST_CASE("a free body in oblique flight at 1 km/s stays without stress", "[solver]", schemes::LinearFlipMusl,
-                   MOTE_TEST_QUADRATIC_SCHEMES) {
+                   MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES) {
   CHECK(stress_in_flight<TestType>() < 1e-10);
 }
 

@@ -26,13 +26,15 @@ struct Scheme {
   static constexpr Update update = U;
   using Type = Loop<S, T, U>;
 };
-#define SCHEMES                                                                                                    \
-  (Scheme<Shape::linear, Transfer::flip, Update::usl>), (Scheme<Shape::linear, Transfer::flip, Update::musl>),     \
-      (Scheme<Shape::linear, Transfer::apic, Update::usl>), (Scheme<Shape::linear, Transfer::apic, Update::musl>), \
-      (Scheme<Shape::quadratic, Transfer::flip, Update::usl>),                                                     \
-      (Scheme<Shape::quadratic, Transfer::flip, Update::musl>),                                                    \
-      (Scheme<Shape::quadratic, Transfer::apic, Update::usl>),                                                     \
-      (Scheme<Shape::quadratic, Transfer::apic, Update::musl>)
+#define SCHEMES                                                                                                      \
+  (Scheme<Shape::linear, Transfer::flip, Update::usl>), (Scheme<Shape::linear, Transfer::flip, Update::musl>),       \
+      (Scheme<Shape::linear, Transfer::apic, Update::usl>), (Scheme<Shape::linear, Transfer::apic, Update::musl>),   \
+      (Scheme<Shape::quadratic, Transfer::flip, Update::usl>),                                                       \
+      (Scheme<Shape::quadratic, Transfer::flip, Update::musl>),                                                      \
+      (Scheme<Shape::quadratic, Transfer::apic, Update::usl>),                                                       \
+      (Scheme<Shape::quadratic, Transfer::apic, Update::musl>), (Scheme<Shape::cubic, Transfer::flip, Update::usl>), \
+      (Scheme<Shape::cubic, Transfer::flip, Update::musl>), (Scheme<Shape::cubic, Transfer::apic, Update::usl>),     \
+      (Scheme<Shape::cubic, Transfer::apic, Update::musl>)
 
 struct Random {
   std::mt19937 generator{7};

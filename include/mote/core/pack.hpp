@@ -164,6 +164,31 @@ bool all_of(const SimdMask<T, N>& mask) {
   return all;
 }
 
+/// Bit i is whether a[i] == b[i].
+template <class T, int N>
+[[gnu::always_inline]] inline unsigned equal_bits(const Simd<T, N>& a, const Simd<T, N>& b) {
+#if defined(__AVX512VL__)
+  if constexpr (sizeof(T) == 4 && N == 8) return _mm256_cmpeq_epi32_mask((__m256i)a.v[0], (__m256i)b.v[0]);
+#endif
+  unsigned bits = 0;
+  for (int i = 0; i < N; ++i) bits |= unsigned(a[std::size_t(i)] == b[std::size_t(i)]) << i;
+  return bits;
+}
+
+/// True where bit i is set.
+template <class T, int N>
+[[gnu::always_inline]] inline SimdMask<T, N> mask_of_bits(unsigned bits) {
+  using R = detail::Registers<T, N>;
+  using M = typename SimdMask<T, N>::M;
+  SimdMask<T, N> r;
+  for (int k = 0; k < R::count; ++k) {
+    M place{};
+    for (int i = 0; i < R::each; ++i) place[i] = 1 << (k * R::each + i);
+    r.v[k] = (place & int(bits)) != 0;
+  }
+  return r;
+}
+
 template <class T, int N>
 [[gnu::always_inline]] inline Simd<T, N> max(const Simd<T, N>& a, const Simd<T, N>& b) {
   return select(a < b, b, a);

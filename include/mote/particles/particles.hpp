@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include <mote/core/aligned.hpp>
 #include <mote/core/field.hpp>
 #include <mote/core/pack.hpp>
 
@@ -30,7 +31,7 @@ template <class Tag, class T, int D>
 struct Column {
   using stored = typename Stored<Tag, T>::type;
   static constexpr int components = Tag::shape::template components<D>;
-  std::array<std::vector<stored>, std::size_t(components)> data;
+  std::array<StaggeredVector<stored>, std::size_t(components)> data;
 };
 
 }  // namespace detail
@@ -49,6 +50,11 @@ class Particles<T, D, fields<Tags...>> {
  public:
   using list = fields<Tags...>;
   static constexpr int dimension = D;
+
+  Particles() {
+    int number = 0;
+    for_each_column([&]<class V>(V& column) { column = V(typename V::allocator_type(number++)); });
+  }
 
   /// Bytes that one particle takes in the columns.
   static constexpr int bytes_per_particle =

@@ -66,14 +66,6 @@ void for_each_pack(const Tile<D>& tile, const F& f) {
     f(std::size_t(tile.first + i), std::min(lanes, int(tile.count - i)));
 }
 
-/// Calls f(first, n) for batches of a few packs.
-template <int packs, int D, class F>
-void for_each_batch(const Tile<D>& tile, const F& f) {
-  constexpr std::uint32_t most = packs * lanes;
-  for (std::uint32_t i = 0; i < tile.count; i += most)
-    f(std::size_t(tile.first + i), int(std::min(most, tile.count - i)));
-}
-
 /// Packs of components to one record per lane.
 template <class T, int N>
 [[gnu::always_inline]] inline void to_records(const Pack<T> (&components)[N], Simd<T, N> (&records)[lanes]) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include <mote/passes/batch.hpp>
 #include <mote/passes/scatter.hpp>
 
 namespace mote::passes {
@@ -45,42 +46,66 @@ struct NodeFields {
   }
 };
 
-/// What the lanes of a pack gather.
+/// What a batch gathers for a task.
 template <Task task, class Shape, class Transfer, class T, int D>
-struct PackSums {
+class BatchSums {
   /// C is the gradient where the kernel's inertia is singular.
   static constexpr bool singular = Shape::inertia == 0, affine = Transfer::affine && task != Task::deform;
+  static constexpr bool has_second = task == Task::deform || Transfer::increment;
   static constexpr Wanted of_velocity{task == Task::velocity_and_deform || (affine && singular), affine && !singular};
   static constexpr Wanted of_second{task == Task::deform, false};
-  Sums<T, D> velocity[D], second[D];
+  SumColumns<of_velocity, T, D> velocity_;
+  SumColumns<of_second, T, D> second_;
 
-  [[gnu::always_inline]] void gather(const NodeFields<T, D, Shape>& nodes, const NodeBox<D>& box,
-                                     const Stencil<T, D, Shape>& stencil) {
-    passes::gather<of_velocity>(nodes.velocity, box, stencil, velocity);
-    if constexpr (task == Task::deform || Transfer::increment)
-      passes::gather<of_second>(nodes.second, box, stencil, second);
+ public:
+  /// \return the number of windows
+  [[gnu::always_inline]] int gather(const NodeFields<T, D, Shape>& nodes, const NodeBox<D>& box,
+                                    const BatchNodes<Shape, T, D>& at) {
+    return at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits, bool some)
+                                  __attribute__((always_inline)) {
+      const std::ptrdiff_t lowest = std::ptrdiff_t(node) * grid::node_width<D>;
+      const auto put = [&](auto& to, int c, const Sums<T, D>& sums) __attribute__((always_inline)) {
+        if (some)
+          to.template put<true>(i, c, sums, bits);
+        else
+          to.template put<false>(i, c, sums, bits);
+      };
+      for (int c = 0; c < D; ++c) put(velocity_, c, passes::gather<of_velocity>(nodes.velocity + lowest, c, box, stencil));
+      if constexpr (has_second)
+        for (int c = 0; c < D; ++c) put(second_, c, passes::gather<of_second>(nodes.second + lowest, c, box, stencil));
+    });
   }
 
-  [[gnu::always_inline]] GridVelocity<Pack<T>, D> grid_velocity(double spacing) const {
+  /// For the pack from particle p of the batch on.
+  [[gnu::always_inline]] GridVelocity<Pack<T>, D> grid_velocity(int p, double spacing) const {
     GridVelocity<Pack<T>, D> g;
     for (int i = 0; i < D; ++i) {
-      g.pic[i] = velocity[i].value;
-      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = second[i].value;
+      g.pic[i] = velocity_.value(p, i);
+      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = second_.value(p, i);
     }
     if constexpr (affine) {
       const T scale = T(1 / (singular ? spacing : Shape::inertia * spacing));
       for (int i = 0; i < D; ++i)
-        for (int a = 0; a < D; ++a) g.affine(i, a) = scale * (singular ? velocity[i].slope[a] : velocity[i].moment[a]);
+        for (int a = 0; a < D; ++a) {
+          if constexpr (singular)
+            g.affine(i, a) = scale * velocity_.slope(p, i, a);
+          else
+            g.affine(i, a) = scale * velocity_.moment(p, i, a);
+        }
     }
     return g;
   }
 
   /// dt times the velocity gradient.
-  [[gnu::always_inline]] Mat<Pack<T>, D> increment(double dt_over_h) const {
+  [[gnu::always_inline]] Mat<Pack<T>, D> increment(int p, double dt_over_h) const {
     Mat<Pack<T>, D> l;
     for (int i = 0; i < D; ++i)
-      for (int a = 0; a < D; ++a)
-        l(i, a) = T(dt_over_h) * (task == Task::deform ? second[i].slope[a] : velocity[i].slope[a]);
+      for (int a = 0; a < D; ++a) {
+        if constexpr (task == Task::deform)
+          l(i, a) = T(dt_over_h) * second_.slope(p, i, a);
+        else
+          l(i, a) = T(dt_over_h) * velocity_.slope(p, i, a);
+      }
     return l;
   }
 };
@@ -175,34 +200,35 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   const double spacing = frame.spacing, dt_over_h = dt / frame.spacing;
   Reporter<T> reporter;
   Range<D> range;
-  // Some packs gather, then the same packs move: the long chains of the material's divisions then overlap.
-  constexpr int batch = moves ? 4 : 1;
-  PackSums<task, Shape, Transfer, T, D> sums[batch];
-  for_each_batch<batch>(tile, [&](std::size_t begin, int count) {
-    Stencil<T, D, Shape> stencil;
+  // A batch gathers, then the same particles move: the long chains of the material's divisions overlap.
+  BatchNodes<Shape, T, D> at;
+  BatchSums<task, Shape, Transfer, T, D> sums;
+  for_each_batch(tile, [&](std::size_t begin, int count) {
+    at.clear();
     for (int i = 0; i < count; i += lanes) {
       Values<Pack<T>, D, fields<field::Position>> p;
-      body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
-      stencil.template set<true>(in_tile.in_cells(get<field::Position>(p)), box);
-      sums[i / lanes].gather(nodes, box, stencil);
+      const int n = std::min(lanes, count - i);
+      body.particles.load(begin + std::size_t(i), n, p);
+      at.append(in_tile.in_cells(get<field::Position>(p)), box, n);
     }
+    sums.gather(nodes, box, at);
     for (int i = 0; i < count; i += lanes) {
       const std::size_t first = begin + std::size_t(i);
       const int n = std::min(lanes, count - i);
       Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Mass, Written>> p;
       body.particles.load(first, n, p);
-      const auto grid_velocity = sums[i / lanes].grid_velocity(spacing);
+      const auto grid_velocity = sums.grid_velocity(i, spacing);
       if constexpr (takes_velocity) transfer.update(p, grid_velocity);
       if constexpr (moves) {
         auto& x = get<field::Position>(p);
         x += grid_velocity.pic * Pack<T>(T(dt));
-        material.update(p, embed(sums[i / lanes].increment(dt_over_h)));
+        material.update(p, embed(sums.increment(i, dt_over_h)));
         reporter.include(material, p);
         range.template include<Shape>(in_tile.in_cells(x));
       } else {
         const auto brought = Momentum<T, D>(p, spacing, transfer);
-        scatter_pack<Transfer::affine ? AxisWeights::moment : AxisWeights::none>(remapped, box, stencil, n,
-                                                                                 brought.value, brought.axis);
+        scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(
+            remapped, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
       }
       body.particles.store(first, n, p, Written{});
     }

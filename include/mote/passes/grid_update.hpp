@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include <mote/passes/images.hpp>
 #include <mote/passes/scatter.hpp>
 
 namespace mote::passes {
@@ -51,17 +52,6 @@ bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulato
 template <class T>
 T solid(T mass) {
   return mass >= std::numeric_limits<T>::min() ? mass : T(0);
-}
-
-template <class T, int D>
-Vec<T, D> node_vector(const T* field, std::size_t node) {
-  Vec<T, D> v{};
-  for (int i = 0; i < D; ++i) v[i] = field[node * grid::node_width<D> + std::size_t(i)];
-  return v;
-}
-template <class T, int D>
-void set_node_vector(T* field, std::size_t node, const Vec<T, D>& v) {
-  for (int i = 0; i < D; ++i) field[node * grid::node_width<D> + std::size_t(i)] = v[i];
 }
 
 /// dt times the acceleration by all loads at a node.
@@ -111,101 +101,6 @@ GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, con
   }
   return ledger;
 }
-
-/// A node and its images beyond the planes, which carry the same velocity up to signs.
-template <int D>
-struct Images {
-  struct Image {
-    std::size_t node;
-    std::array<bool, D> odd;
-    unsigned walls;  ///< planes without a body beyond them that lie between the node and the image
-  };
-  std::array<Image, 64> image;
-  int count = 0;
-  std::array<int, D> held;   ///< per component: the boundary part that flips it in some image or on its plane, or -1
-  std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
-  std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
-
-  /// False if the node is itself beyond a plane, or if no plane concerns it.
-  template <class T>
-  bool find(std::size_t number_of_node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
-    const IVec<D> node = blocks.coordinates(number_of_node);
-    held.fill(-1);
-    zero.fill(false);
-    zero_by_symmetry.fill(false);
-    count = 1;
-    image[0] = {number_of_node, {}, 0};
-    IVec<D> at[64];
-    at[0] = node;
-    bool concerned = false;
-    for (int a = 0; a < D; ++a)
-      for (int end = 0; end < 2; ++end) {
-        const auto& plane = domain.plane(a, end);
-        if (!plane) continue;
-        const std::int32_t depth = end ? plane->node - node[a] : node[a] - plane->node;
-        if (depth < 0) return false;
-        if (depth > ghosts(support)) continue;
-        concerned = true;
-        for (int c = 0; c < D; ++c)
-          if (plane->odd[std::size_t(c)]) {
-            if (held[std::size_t(c)] < 0) held[std::size_t(c)] = plane->part;
-            zero[std::size_t(c)] |= depth == 0;
-            zero_by_symmetry[std::size_t(c)] |= depth == 0 && plane->body_beyond;
-          }
-        if (depth == 0) continue;
-        for (int i = 0, before = count; i < before; ++i) {
-          IVec<D> mirrored = at[i];
-          mirrored[a] = 2 * plane->node - at[i][a];
-          const std::size_t number = blocks.find(mirrored);
-          if (number == blocks.none || blocks.mass[number] == T(0)) continue;
-          at[count] = mirrored;
-          image[std::size_t(count)] = {number, image[std::size_t(i)].odd,
-                                       image[std::size_t(i)].walls ^ (plane->body_beyond ? 0u : 1u << (2 * a + end))};
-          for (std::size_t c = 0; c < std::size_t(D); ++c)
-            image[std::size_t(count)].odd[c] = image[std::size_t(i)].odd[c] != plane->odd[c];
-          ++count;
-        }
-      }
-    return concerned;
-  }
-
-  template <class T>
-  Vec<T, D> reflect(Vec<T, D> v, const Image& i) const {
-    for (int c = 0; c < D; ++c) v[c] = i.odd[std::size_t(c)] ? -v[c] : v[c];
-    return v;
-  }
-
-  /// Mass-weighted mean of a node field over the images: the field's projection on what the planes allow.
-  template <class T>
-  Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass) const {
-    return mean_over(blocks, field, mass, zero, [](const Image&) { return true; });
-  }
-
-  /// The same over symmetry planes only, seen from image k: what a whole body would have on its node.
-  template <class T>
-  Vec<T, D> symmetric_mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, int k) const {
-    const Image& from = image[std::size_t(k)];
-    T mass;
-    return reflect(
-        mean_over(blocks, field, mass, zero_by_symmetry, [&](const Image& i) { return i.walls == from.walls; }), from);
-  }
-
- private:
-  template <class T, class Counts>
-  Vec<T, D> mean_over(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass,
-                      const std::array<bool, D>& vanishes, const Counts& counts) const {
-    Vec<T, D> momentum{};
-    mass = T(0);
-    for (int i = 0; i < count; ++i) {
-      const Image& im = image[std::size_t(i)];
-      if (!counts(im)) continue;
-      mass += blocks.mass[im.node];
-      momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node), im);
-    }
-    for (int c = 0; c < D; ++c) momentum[c] = vanishes[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
-    return momentum;
-  }
-};
 
 /// Holds the velocities of a block's nodes, and of their images, to the planes; books impulses and losses.
 ///

@@ -64,11 +64,14 @@ struct Momentum {
 };
 
 /// Adds the records of a pack's n particles to the nodes of the tile's box.
-template <AxisWeights Kind, class T, int D, class Shape, int width>
-[[gnu::always_inline]] inline void scatter_pack(T* nodes, const NodeBox<D>& box, const Stencil<T, D, Shape>& stencil,
-                                                int n, const Pack<T> (&value)[width],
-                                                const Pack<T> (&axis)[D][width]) {
+/// \param xi positions in cells, relative to the first node of the tile's block
+template <class Shape, AxisWeights Kind, class T, int D, int width>
+[[gnu::always_inline]] inline void scatter_pack(T* nodes, const NodeBox<D>& box, const Vec<Pack<T>, D>& xi, int n,
+                                                const Pack<T> (&value)[width], const Pack<T> (&axis)[D][width]) {
   using Record = Simd<T, width>;
+  const LowestNodes<Shape, T, D> at(xi, box);
+  Stencil<T, D, Shape> stencil;
+  for (int a = 0; a < D; ++a) stencil.set(a, xi[a] - at.base[a]);
   const ScatterWeights<Kind, T, D, Shape> weights(stencil);
   Contribution<Record, D> of[lanes];
   {
@@ -83,8 +86,8 @@ template <AxisWeights Kind, class T, int D, class Shape, int width>
   }
   for (int first = 0; first < n;) {
     int last = first + 1;
-    while (last < n && stencil.node[last] == stencil.node[first]) ++last;
-    scatter<Kind>(nodes + std::ptrdiff_t(stencil.node[first]) * width, box, weights, of, first, last);
+    while (last < n && at.node[last] == at.node[first]) ++last;
+    scatter<Kind>(nodes + std::ptrdiff_t(at.node[first]) * width, box, weights, of, first, last);
     first = last;
   }
 }
@@ -109,12 +112,10 @@ template <class Shape, class Transfer, class B, class T, int D>
                           particle_fields_of<typename B::Material>>;
     Values<Pack<T>, D, List> p;
     body.particles.load(first, n, p);
-    Stencil<T, D, Shape> stencil;
-    stencil.template set<true>(in_tile.in_cells(get<field::Position>(p)), box);
     MomentumAndForce<T, D> brought;
     brought.template add_momentum<Transfer>(p, spacing);
     brought.add_force(material, p, spacing);
-    scatter_pack<kind>(nodes, box, stencil, n, brought.value, brought.axis);
+    scatter_pack<Shape, kind>(nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
   });
 }
 

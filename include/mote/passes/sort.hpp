@@ -109,7 +109,7 @@ class Sorter {
   template <class N>
   static void move_column(void* data, const Sorter& s, std::vector<std::byte>& scratch) {
     static_assert(sizeof(N) <= sizeof(double));
-    auto& column = *static_cast<std::vector<N>*>(data);
+    auto& column = *static_cast<StaggeredVector<N>*>(data);
     N* to = reinterpret_cast<N*>(scratch.data());
     for (std::size_t i = 0; i < column.size(); ++i) to[i] = column[s.order_[i]];
     std::copy_n(to, column.size(), column.data());
@@ -121,7 +121,7 @@ class Sorter {
     if (std::is_sorted(order_.begin(), order_.end())) return;
     columns_.clear();
     movers_.clear();
-    particles.for_each_column([&]<class N>(std::vector<N>& column) {
+    particles.for_each_column([&]<class N>(StaggeredVector<N>& column) {
       columns_.push_back(&column);
       movers_.push_back(&move_column<N>);
     });

@@ -23,7 +23,7 @@ template <int n, class F>
   (std::make_integer_sequence<int, n>{});
 }
 
-/// Axis-wise weights of a pack of particles, and where their nodes are in the tile's box.
+/// Axis-wise weights of a pack of particles.
 template <class T, int D, class Shape>
 struct Stencil {
   static constexpr int support = Shape::support;
@@ -33,32 +33,34 @@ struct Stencil {
   Pack<T> value[D][support];  ///< w_i
   Pack<T> slope[D][support];  ///< d w_i / d xi
   Pack<T> offset[D];          ///< position in cells from the middle node
-  int node[lanes];            ///< the lowest node's number in the tile's box
+
+  /// \param f position in cells from the lowest node
+  [[gnu::always_inline]] void set(int axis, const Pack<T>& f) {
+    Shape::values(f, value[axis]);
+    Shape::slopes(f, slope[axis]);
+    offset[axis] = f - T(middle);
+  }
+};
+
+/// The lowest nodes of a pack of particles within the tile's box.
+///
+/// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of the
+/// same expression, or a column that was written from outside, NaN too, from reaching beyond it.
+template <class Shape, class T, int D>
+struct LowestNodes {
+  Vec<Pack<T>, D> base;  ///< coordinates
+  int node[lanes];       ///< number in the box
 
   /// \param xi positions in cells, relative to the first node of the tile's block
-  ///
-  /// A particle is in its tile's box by construction; the clamp keeps a last-bit difference between two inlinings of
-  /// the same expression, or a column that was written from outside, NaN too, from reaching beyond it.
-  template <bool Slopes>
-  [[gnu::always_inline]] void set(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
+  [[gnu::always_inline]] LowestNodes(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
     Pack<T> place = T(0);
     for (int a = 0; a < D; ++a) {
       const auto u = std::size_t(a);
-      const Pack<T> lo(T(box.lo[u])), hi(T(box.lo[u] + box.extent[u] - support));
-      const Pack<T> base = max(lo, min(hi, floor(Pack<T>(xi[a] - T(Shape::first)))));
-      const Pack<T> f = xi[a] - base;
-      place += (base - lo) * T(box.stride[u]);
-      offset[a] = f - T(middle);
-      Shape::values(f, value[a]);
-      if constexpr (Slopes) Shape::slopes(f, slope[a]);
+      const Pack<T> lo(T(box.lo[u])), hi(T(box.lo[u] + box.extent[u] - Shape::support));
+      base[a] = max(lo, min(hi, floor(Pack<T>(xi[a] - T(Shape::first)))));
+      place += (base[a] - lo) * T(box.stride[u]);
     }
     to_integers(place, node);
-  }
-
-  bool one_cell() const {
-    int differ = 0;
-    for (int l = 1; l < lanes; ++l) differ |= node[l] ^ node[0];
-    return differ == 0;
   }
 };
 
@@ -104,45 +106,17 @@ template <Wanted W, int A, class T, int D, class Shape>
   return sum;
 }
 
-/// Sums of the components of a node field for the particles of one cell; `field` is the lowest node's.
+/// Sums of component c of a node field for particles of one cell; `field` is the lowest node's, with node_width<D>
+/// numbers per node.
 template <Wanted W, class T, int D, class Shape>
-[[gnu::always_inline]] inline void gather_cell(const T* field, const IVec<D>& stride, const Stencil<T, D, Shape>& s,
-                                               Sums<T, D> (&sums)[D]) {
-  for (int c = 0; c < D; ++c) {
-    sums[c] = contract<W, 0>(field + c, stride, s);
-    if constexpr (W.moments)
-      for (int a = 0; a < D; ++a) sums[c].moment[a] -= s.offset[a] * sums[c].value;
-  }
-}
-
-/// Sums of the components of a node field for a pack of particles; `field` points at the tile's box, node_width<D>
-/// numbers per node. Cells take turns.
-template <Wanted W, class T, int D, class Shape>
-[[gnu::always_inline]] inline void gather(const T* field, const NodeBox<D>& box, const Stencil<T, D, Shape>& s,
-                                          Sums<T, D> (&sums)[D]) {
-  constexpr int width = grid::node_width<D>;
+[[gnu::always_inline]] inline Sums<T, D> gather(const T* field, int c, const NodeBox<D>& box,
+                                                const Stencil<T, D, Shape>& s) {
   IVec<D> stride;
-  for (int a = 0; a < D; ++a) stride[a] = box.stride[std::size_t(a)] * width;
-  const auto first = [&](int l) { return field + std::ptrdiff_t(s.node[l]) * width; };
-  gather_cell<W>(first(0), stride, s, sums);
-  if (s.one_cell()) [[likely]] return;
-  Pack<T> place([&](int l) { return T(s.node[l]); });
-  unsigned left = (1u << lanes) - 1;
-  for (int at = 0;;) {
-    for (int l = 0; l < lanes; ++l) left &= ~(unsigned(s.node[l] == s.node[at]) << l);
-    if (left == 0) return;
-    at = __builtin_ctz(left);
-    const auto here = place == Pack<T>(T(s.node[at]));
-    Sums<T, D> more[D];
-    gather_cell<W>(first(at), stride, s, more);
-    for (int c = 0; c < D; ++c) {
-      sums[c].value = select(here, more[c].value, sums[c].value);
-      for (int a = 0; a < D; ++a) {
-        if constexpr (W.slopes) sums[c].slope[a] = select(here, more[c].slope[a], sums[c].slope[a]);
-        if constexpr (W.moments) sums[c].moment[a] = select(here, more[c].moment[a], sums[c].moment[a]);
-      }
-    }
-  }
+  for (int a = 0; a < D; ++a) stride[a] = box.stride[std::size_t(a)] * grid::node_width<D>;
+  Sums<T, D> sum = contract<W, 0>(field + c, stride, s);
+  if constexpr (W.moments)
+    for (int a = 0; a < D; ++a) sum.moment[a] -= s.offset[a] * sum.value;
+  return sum;
 }
 
 /// Which axis-wise weights the numbers of a node's record take.

@@ -122,8 +122,10 @@ struct Tiling {
   }
 };
 
-/// Ghost nodes per mirror plane that can matter: those beyond it that a particle inside can reach, and one to spare.
-inline constexpr int ghosts(int support) { return support - 1; }
+/// Ghost nodes per mirror plane that can matter: those beyond it that a particle may reach before the next sort.
+/// A tile's lowest nodes go down to floor(plane - 1/2 - first) (Linker::limit), its highest as far beyond an upper
+/// plane: support / 2 layers with first = (support - 2) / 2. Half of an odd support is rounded up, one layer to spare.
+inline constexpr int ghosts(int support) { return (support + 1) / 2; }
 
 /// Finds the blocks that the tiles can reach until the next sort, and links tiles and blocks.
 template <class T, int D>

@@ -76,7 +76,8 @@ TEMPLATE_TEST_CASE("the passes equal the textbook between symmetry planes", "[pa
 
 TEMPLATE_TEST_CASE("half a body behind a symmetry plane moves as the whole", "[passes]", schemes::LinearFlipUsl,
                    schemes::LinearFlipMusl, schemes::QuadraticFlipUsl, schemes::QuadraticFlipMusl,
-                   schemes::LinearApicMusl, schemes::QuadraticApicUsl) {
+                   schemes::LinearApicMusl, schemes::QuadraticApicUsl, schemes::CubicFlipUsl, schemes::CubicFlipMusl,
+                   schemes::CubicApicUsl) {
   const bool upper = GENERATE(false, true);
   const double part = blend<TestType>(), s = upper ? -1 : 1;
   const grid::Cartesian<3> cells{.spacing = h};

@@ -11,10 +11,14 @@ using namespace schemes;
 
 inline constexpr double dt = 3e-11, speed = 500;  // s, m/s
 
+template <class Shape>
+inline constexpr auto book_shape = std::is_same_v<Shape, shape::Linear>             ? textbook::Shape::linear
+                                   : std::is_same_v<Shape, shape::QuadraticBSpline> ? textbook::Shape::quadratic
+                                                                                    : textbook::Shape::cubic;
+
 template <class Scheme>
 using Book = textbook::Loop<
-    std::is_same_v<typename Scheme::Shape, shape::Linear> ? textbook::Shape::linear : textbook::Shape::quadratic,
-    Scheme::flip ? textbook::Transfer::flip : textbook::Transfer::apic,
+    book_shape<typename Scheme::Shape>, Scheme::flip ? textbook::Transfer::flip : textbook::Transfer::apic,
     std::is_same_v<typename Scheme::Update, update::Usl> ? textbook::Update::usl : textbook::Update::musl>;
 
 /// The particles of a solver whose columns are still in the order of their ids, as the textbook's.

@@ -1,5 +1,5 @@
 /// \file
-/// The eight schemes that the library offers so far, and the metal of the scenes, for the tests of the passes.
+/// The twelve schemes that the library offers so far, and the metal of the scenes, for the tests of the passes.
 #pragma once
 
 #include <random>
@@ -32,6 +32,10 @@ using QuadraticFlipUsl = Scheme<shape::QuadraticBSpline, transfer::Flip, update:
 using QuadraticFlipMusl = Scheme<shape::QuadraticBSpline, transfer::Flip, update::Musl>;
 using QuadraticApicUsl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Usl>;
 using QuadraticApicMusl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Musl>;
+using CubicFlipUsl = Scheme<shape::CubicBSpline, transfer::Flip, update::Usl>;
+using CubicFlipMusl = Scheme<shape::CubicBSpline, transfer::Flip, update::Musl>;
+using CubicApicUsl = Scheme<shape::CubicBSpline, transfer::Apic, update::Usl>;
+using CubicApicMusl = Scheme<shape::CubicBSpline, transfer::Apic, update::Musl>;
 
 template <class Scheme>
 typename Scheme::Transfer transfer_of(double blend) {
@@ -45,8 +49,10 @@ typename Scheme::Transfer transfer_of(double blend) {
   schemes::LinearFlipUsl, schemes::LinearFlipMusl, schemes::LinearApicUsl, schemes::LinearApicMusl
 #define MOTE_TEST_QUADRATIC_SCHEMES \
   schemes::QuadraticFlipUsl, schemes::QuadraticFlipMusl, schemes::QuadraticApicUsl, schemes::QuadraticApicMusl
+#define MOTE_TEST_CUBIC_SCHEMES \
+  schemes::CubicFlipUsl, schemes::CubicFlipMusl, schemes::CubicApicUsl, schemes::CubicApicMusl
 
-#define MOTE_TEST_SCHEMES MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES
+#define MOTE_TEST_SCHEMES MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES
 
 struct Random {
   std::mt19937 generator{7};

@@ -32,15 +32,15 @@ auto momentum(const P& particles) {
   return sum;
 }
 
-/// About the origin in the plane (i, j), with the spin h^2/4 (C - C^T) that the affine matrices carry.
-template <class P>
+/// About the origin in the plane (i, j), with the spin D (C - C^T), D = inertia h^2, that the affine matrices carry.
+template <class Shape, class P>
 double angular_momentum(const P& particles, int i, int j) {
   double sum = 0;
   for (std::size_t p = 0; p < particles.size(); ++p) {
     const auto x = particles.template get<field::Position>(p), v = particles.template get<field::Velocity>(p);
     const auto C = particles.template get<field::Affine>(p);
-    sum +=
-        particles.template column<field::Mass>()[p] * (x[i] * v[j] - x[j] * v[i] + 0.25 * h * h * (C(j, i) - C(i, j)));
+    sum += particles.template column<field::Mass>()[p] *
+           (x[i] * v[j] - x[j] * v[i] + Shape::inertia * h * h * (C(j, i) - C(i, j)));
   }
   return sum;
 }
@@ -88,7 +88,8 @@ void check_angular_momentum() {
   fly<Scheme, D>([&](const auto& solver) {
     const double scale = mass(solver.particles()) * 100 * 3 * h;
     for (int i = 0; i < D; ++i)
-      for (int j = 0; j < i; ++j) spin[i][j](angular_momentum(solver.particles(), i, j), 1e-13 * scale);
+      for (int j = 0; j < i; ++j)
+        spin[i][j](angular_momentum<typename Scheme::Shape>(solver.particles(), i, j), 1e-13 * scale);
   });
 }
 
@@ -133,8 +134,8 @@ TEMPLATE_TEST_CASE("transfers conserve mass and momentum", "[passes]", MOTE_TEST
   check_conservation<TestType, 3>();
 }
 
-TEMPLATE_TEST_CASE("quadratic APIC conserves angular momentum", "[passes]", schemes::QuadraticApicUsl,
-                   schemes::QuadraticApicMusl) {
+TEMPLATE_TEST_CASE("APIC with B-splines conserves angular momentum", "[passes]", schemes::QuadraticApicUsl,
+                   schemes::QuadraticApicMusl, schemes::CubicApicUsl, schemes::CubicApicMusl) {
   check_angular_momentum<TestType, 2>();
   check_angular_momentum<TestType, 3>();
 }

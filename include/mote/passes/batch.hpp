@@ -1,0 +1,97 @@
+/// \file
+/// Gathering for a batch of particles, cell by cell.
+///
+/// Particles lie in the order of their cells, but for those that have moved on since the last sort. A window of eight
+/// neighbours in the columns gathers at once what those of the first one's cell want; then the next that is left opens
+/// a window.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include <mote/passes/body.hpp>
+#include <mote/passes/stencil.hpp>
+
+namespace mote::passes {
+
+/// Particles per batch: few enough that what they gather stays in the first cache.
+inline constexpr int batch = 4 * lanes;
+static_assert(batch <= 64, "a batch has a bit per particle");
+
+/// Calls f(first, n) for the batches of a tile.
+template <int D, class F>
+void for_each_batch(const Tile<D>& tile, const F& f) {
+  for (std::uint32_t i = 0; i < tile.count; i += batch)
+    f(std::size_t(tile.first + i), int(std::min(std::uint32_t(batch), tile.count - i)));
+}
+
+/// What a batch gathers of the D components of a node field, in columns.
+template <Wanted W, class T, int D>
+class SumColumns {
+  static constexpr int slopes = 1, moments = slopes + (W.slopes ? D : 0), each = moments + (W.moments ? D : 0);
+  alignas(64) T data_[D][each][batch + lanes];
+
+ public:
+  /// Writes from particle i on where the bits of `lanes` say so; without Some to all lanes.
+  template <bool Some>
+  [[gnu::always_inline]] void put(int i, int c, const Sums<T, D>& sums, unsigned bits) {
+    const auto put_one = [&](const Pack<T>& value, T* to) __attribute__((always_inline)) {
+      if constexpr (Some)
+        write(select(mask_of_bits<T, lanes>(bits), value, read<Pack<T>>(to + i)), to + i);
+      else
+        write(value, to + i);
+    };
+    put_one(sums.value, data_[c][0]);
+    for (int a = 0; a < D; ++a) {
+      if constexpr (W.slopes) put_one(sums.slope[a], data_[c][slopes + a]);
+      if constexpr (W.moments) put_one(sums.moment[a], data_[c][moments + a]);
+    }
+  }
+  Pack<T> value(int i, int c) const { return read<Pack<T>>(data_[c][0] + i); }
+  Pack<T> slope(int i, int c, int a) const { return read<Pack<T>>(data_[c][slopes + a] + i); }
+  Pack<T> moment(int i, int c, int a) const { return read<Pack<T>>(data_[c][moments + a] + i); }
+};
+
+/// Where the particles of a batch are.
+template <class Shape, class T, int D>
+class BatchNodes {
+  using Nodes = Simd<int, lanes>;
+  alignas(64) T xi_[D][batch + lanes];
+  alignas(64) T base_[D][batch + lanes];
+  alignas(64) int node_[batch + lanes];
+  int count_ = 0;
+
+ public:
+  void clear() { count_ = 0; }
+
+  /// Appends n particles. \param xi positions in cells, relative to the first node of the tile's block
+  [[gnu::always_inline]] void append(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box, int n) {
+    const LowestNodes<Shape, T, D> at(xi, box);
+    for (int a = 0; a < D; ++a) {
+      write(xi[a], xi_[a] + count_);
+      write(at.base[a], base_[a] + count_);
+    }
+    for (int l = 0; l < lanes; ++l) node_[count_ + l] = at.node[l];
+    count_ += n;
+  }
+
+  /// Calls f(particle, its lowest node's number, stencil, bits, some) for windows of eight particles that cover the
+  /// batch. The stencil holds for the particles in `bits`; `some` is true if other lanes must be left alone.
+  /// \return the number of windows
+  template <class F>
+  [[gnu::always_inline]] int for_each_window(const F& f) const {
+    const std::uint64_t all = ~std::uint64_t(0) >> (64 - count_);
+    int windows = 0;
+    for (std::uint64_t left = all; left != 0; ++windows) {
+      const int i = std::countr_zero(left);
+      const std::uint64_t bits = equal_bits(read<Nodes>(node_ + i), Nodes(node_[i])) & (left >> i);
+      Stencil<T, D, Shape> stencil;
+      for (int a = 0; a < D; ++a) stencil.set(a, read<Pack<T>>(xi_[a] + i) - base_[a][i]);
+      f(i, node_[i], stencil, unsigned(bits), ((all & ~left) >> i & 0xff) != 0);
+      left &= ~(bits << i);
+    }
+    return windows;
+  }
+};
+
+}  // namespace mote::passes
