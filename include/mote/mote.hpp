@@ -18,6 +18,7 @@
 #include <mote/eos/concept.hpp>
 #include <mote/eos/linear_bulk.hpp>
 #include <mote/eos/mie_gruneisen.hpp>
+#include <mote/exact/impact.hpp>
 #include <mote/exact/plane_wave.hpp>
 #include <mote/execution/concept.hpp>
 #include <mote/execution/serial.hpp>

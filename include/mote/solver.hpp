@@ -101,6 +101,7 @@ class Solver {
 
  public:
   static constexpr int dimension = Grid::dimension;
+  static constexpr int bodies = std::tuple_size_v<Materials>;  ///< one of each material
   using number = typename Grid::number;
   using shape = Shape;
   using transfer = Transfer;
@@ -142,14 +143,12 @@ class Solver {
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
 
-  /// Puts particles of a material where the region is; see Fill for the options. \return how many
+  /// Puts particles of a material where the region is; see Fill for the options. Throws InputError if the solver has no
+  /// material of these numbers. \return how many
   template <geometry::Region R, class M>
   std::size_t fill(const R& region, const M& material, const Fill<D>& how = {}) {
     static_assert(Phases::template holds<M>, "mote: fill() was given a material that the solver does not hold");
-    auto& body = phases_.template body_of<M>();
-    if constexpr (std::equality_comparable<M>)
-      require(material == body.material,
-              "fill() was given a material with other numbers than the solver's of its type");
+    auto& body = phases_.body_of(material, "fill()");
     const std::size_t added = append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
     next_id_ += added;
     sorted_ = false;
@@ -213,11 +212,20 @@ class Solver {
   const auto& particles() const {
     return phases_.template body<I>().particles;
   }
+  /// The columns of the body of a material. Throws InputError if the solver has no material of these numbers.
+  template <class M>
+  auto& particles(const M& material) {
+    return phases_.body_of(material, "particles()").particles;
+  }
+  template <class M>
+  const auto& particles(const M& material) const {
+    return phases_.body_of(material, "particles()").particles;
+  }
   template <int I = 0>
   const auto& material() const {
     return phases_.template body<I>().material;
   }
-  /// Calls f(material, particles) for each body.
+  /// Calls f(material, particles) for each body, in the order of the materials given.
   template <class F>
   void for_each_body(F&& f) const {
     phases_.for_each_body([&](const auto& body) { f(body.material, body.particles); });

@@ -62,4 +62,18 @@ static_assert(decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, update::Mu
 using Two = decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, timestep::Cfl{}, aluminium, cold_elastic});
 static_assert(Two::bytes_per_particle<0> == 140 && Two::bytes_per_particle<1> == 116);
 
+// so has every one of two materials of one type; neither particles nor the solver carry a number to tell them apart
+using Twins = decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, timestep::Cfl{}, aluminium, aluminium});
+using One = decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, timestep::Cfl{}, aluminium});
+static_assert(Twins::bytes_per_particle<0> == 140 && Twins::bytes_per_particle<1> == 140 && Twins::bodies == 2);
+static_assert(One::bytes_per_particle<0> == 140 && One::bodies == 1);
+
+// a body is its material, its columns and the range of its tiles; a solver grows by a body with each material
+template <class M>
+using BodyOf = passes::Body<std::remove_cv_t<M>, double, 3, Flip>;
+static_assert(sizeof(BodyOf<Aluminium>) ==
+              sizeof(Aluminium) + sizeof(Particles<double, 3, BodyOf<Aluminium>::list>) + 2 * sizeof(std::uint32_t));
+static_assert(sizeof(Twins) == sizeof(One) + sizeof(BodyOf<Aluminium>));
+static_assert(sizeof(Two) == sizeof(One) + sizeof(BodyOf<ColdElastic>));
+
 }  // namespace

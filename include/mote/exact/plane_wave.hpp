@@ -40,7 +40,9 @@ double bisect(const F& f, double below, double above) {
   for (;;) {
     const double middle = 0.5 * (below + above);
     if (middle == below || middle == above) return middle;
-    (f(middle) < 0 ? below : above) = middle;
+    const double value = f(middle);
+    if (value == 0) return middle;
+    (value < 0 ? below : above) = middle;
   }
 }
 

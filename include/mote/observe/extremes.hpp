@@ -163,6 +163,16 @@ void add_temperature(PackRange<T>& range, const V& values) {
   if constexpr (carries<V, field::Temperature>) range.add(get<field::Temperature>(values));
 }
 
+/// The smallest density at rest of a body that has particles, kg/m^3.
+template <class Solver>
+double lightest(const Solver& solver) {
+  double rho0 = std::numeric_limits<double>::infinity();
+  solver.for_each_body([&](const auto& material, const auto& particles) {
+    if (particles.size() > 0) rho0 = std::min(rho0, material.rho0());
+  });
+  return rho0;
+}
+
 /// f(range, material, values) adds what it wants of the particles' states, in packs.
 template <class Solver, class F>
 Range range_over_particles(const Solver& solver, const F& f) {
@@ -190,8 +200,8 @@ Range temperature_range(const Solver& solver) {
 }
 
 /// Extremes of velocity component `axis` over the nodes that carry at least a tenth of a full node's mass (rho0 h^D of
-/// the first material; half as much on a plane, a quarter where two meet), m/s. Nodes beyond planes, which mirror those
-/// inside, do not count.
+/// the lightest material that has particles; half as much on a plane, a quarter where two meet), m/s. Nodes beyond
+/// planes, which mirror those inside, do not count.
 ///
 /// The node fields are those of the last step: nan before the first one.
 template <class Solver>
@@ -199,7 +209,7 @@ Range grid_velocity_range(const Solver& solver, int axis) {
   constexpr int D = Solver::dimension;
   constexpr std::size_t blocks_at_once = 32;
   const auto& nodes = solver.nodes();
-  const double full = solver.material().rho0() * std::pow(solver.spacing(), D);
+  const double full = detail::lightest(solver) * std::pow(solver.spacing(), D);
   const auto least_mass = [&](const IVec<D>& node) {
     double least = 0.1 * full;
     for (int a = 0; a < D; ++a)

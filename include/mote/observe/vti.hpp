@@ -217,8 +217,9 @@ class NodeFrame {
 /// The nodes of the smallest box that holds the body (on periodic axes the whole period, its end included). Particles
 /// are spread by linear hats; Float32 arrays: volume_fraction (volume over control volume, which is half a cell's on a
 /// plane: free surfaces, a cavity's too, are its isosurface 0.5), density (mass over volume of the material), pressure
-/// (volume-weighted mean, Pa), velocity and temperature (mass-weighted; the latter if there is one); 0 where there is
-/// no material. Throws OutputError; InputError if the particles are scattered too far for a box.
+/// (volume-weighted mean, Pa), velocity and temperature (mass-weighted, the latter over bodies that have one, if any
+/// has); 0 where there is nothing to take a mean of. All bodies count alike. Throws OutputError; InputError if the
+/// particles are scattered too far for a box.
 struct Vti {
   std::filesystem::path stem = {};  ///< e.g. "frames/grid"; directories are made
   double every = 0.5e-9;            ///< s, > 0

@@ -43,25 +43,26 @@ class ParticleFrame {
 
   const Solver& solver_;
   std::vector<Real> points_;
-  std::vector<std::uint32_t> ids_;
+  std::vector<std::uint32_t> ids_, bodies_;  // of one body only, the latter is left out
   std::vector<FrameColumn<Real>> columns_;
 
  public:
   explicit ParticleFrame(const Solver& solver) : solver_(solver), points_(3 * solver.size()), ids_(solver.size()) {
     std::size_t first = 0;
+    std::uint32_t body = 0;
     solver.for_each_body([&](const auto& material, const auto& particles) {
       add_fields(particles, first, list_of<decltype(particles)>{});
       add_derived(material, particles, first);
       first += particles.size();
+      if (Solver::bodies > 1) bodies_.resize(first, body++);
     });
   }
 
   /// Adds the image about the lower plane of an axis.
   void mirror(int axis) {
     const double plane = lower_plane(solver_, axis);
-    const std::size_t n = ids_.size();
-    ids_.resize(2 * n);
-    std::copy_n(ids_.begin(), n, ids_.begin() + std::ptrdiff_t(n));
+    append(ids_, 1, [](std::size_t, std::uint32_t id) { return id; });
+    append(bodies_, 1, [](std::size_t, std::uint32_t body) { return body; });
     append(points_, 3, [&](std::size_t c, Real x) { return c == std::size_t(axis) ? Real(2 * plane - double(x)) : x; });
     for (auto& column : columns_)
       append(column.data, column.components(),
@@ -70,13 +71,14 @@ class ParticleFrame {
 
   void write(const std::filesystem::path& file) const {
     std::vector<Array> arrays{{"id", 1, std::span<const std::uint32_t>(ids_)}};
+    if (Solver::bodies > 1) arrays.push_back({"body", 1, std::span<const std::uint32_t>(bodies_)});
     for (const auto& column : columns_) arrays.push_back(column.array());
     write_vtp(file, std::span<const Real>(points_), arrays, solver_.time());
   }
 
  private:
-  template <class F>
-  static void append(std::vector<Real>& data, std::size_t components, const F& image) {
+  template <class Number, class F>
+  static void append(std::vector<Number>& data, std::size_t components, const F& image) {
     const std::size_t n = data.size();
     data.resize(2 * n);
     for (std::size_t i = 0; i < n; ++i) data[n + i] = image(i % components, data[i]);
@@ -151,9 +153,10 @@ class ParticleFrame {
 /// Writes the particles at each frame time to STEM_0000.vtp, ..., listed in STEM.pvd.
 ///
 /// Arrays: velocity, pressure (Pa), von_mises_stress sqrt(3/2 s:s) (Pa), density (kg/m^3), id, and every field that the
-/// parts declare, yours too, under its name; but for mass, the affine matrix and the stress deviator. What a body lacks
-/// is nan. Two- and one-dimensional vectors are padded with zeros. Images carry the id of their particle; a vector is
-/// mirrored as velocity is. Throws OutputError.
+/// parts declare, yours too, under its name; but for mass, the affine matrix and the stress deviator. With several
+/// bodies there is `body` too, 0 for the first material given to the solver, and what a body lacks is nan (threshold by
+/// `body`, or let ParaView paint nan in a colour of its own). Two- and one-dimensional vectors are padded with zeros.
+/// Images carry the id of their particle; a vector is mirrored as velocity is. Throws OutputError.
 struct Vtp {
   std::filesystem::path stem = {};  ///< e.g. "frames/particles"; directories are made
   double every = 0.5e-9;            ///< s, > 0

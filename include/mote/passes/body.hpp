@@ -2,8 +2,12 @@
 /// What the passes work on: a body, its particles and tiles, and where they are on the grid.
 #pragma once
 
+#include <concepts>
+#include <tuple>
 #include <vector>
 
+#include <mote/core/error.hpp>
+#include <mote/core/role.hpp>
 #include <mote/particles/particles.hpp>
 #include <mote/passes/tiles.hpp>
 
@@ -23,6 +27,52 @@ struct Body {
   Particles<T, D, list> particles;
   std::uint32_t tiles_begin = 0, tiles_end = 0;
 };
+
+/// Whether the bodies of these materials have names: their types, or the numbers in them.
+template <class... Materials>
+inline constexpr bool can_be_told_apart = ((count_of_type<Materials, Materials...> == 1 ||
+                                            std::equality_comparable<Materials>)&&...);
+
+/// Whether two materials are one and the same, type and numbers. What cannot be compared is told apart by its type.
+template <class A, class B>
+bool same_material(const A& a, const B& b) {
+  if constexpr (!std::is_same_v<A, B>)
+    return false;
+  else if constexpr (std::equality_comparable<A>)
+    return a == b;
+  else
+    return true;
+}
+
+/// Throws InputError if two of the materials are one and the same.
+template <class... Materials>
+void require_distinct(const std::tuple<Materials...>& materials) {
+  int i = 0;
+  const auto compare = [&](const auto& a) {
+    int j = 0;
+    const auto with = [&](const auto& b) {
+      require(j <= i || !same_material(a, b), "materials ", i, " and ", j,
+              " of the solver are equal; give a material once, and fill() with it as often as you like");
+      ++j;
+    };
+    std::apply([&](const auto&... b) { (with(b), ...); }, materials);
+    ++i;
+  };
+  std::apply([&](const auto&... a) { (compare(a), ...); }, materials);
+}
+
+/// The body of type B that is of this material. Throws InputError if there is none; the text begins with `caller`.
+template <class B, class Bodies>
+B& find_body(Bodies& bodies, const typename B::Material& material, const char* caller) {
+  B* found = nullptr;
+  const auto look_at = [&](auto& body) {
+    if constexpr (std::is_same_v<decltype(body), B&>)
+      if (same_material(body.material, material)) found = &body;
+  };
+  std::apply([&](auto&... body) { (look_at(body), ...); }, bodies);
+  require(found, caller, " was given a material with other numbers than the solver's of its type");
+  return *found;
+}
 
 /// What a tile reports of its particles after a pass.
 struct TileReport {

@@ -30,9 +30,9 @@ struct NodeFields {
       for_each_row(links[k], box, [&](int in_box, int in_block, int count) {
         const std::size_t from = (block + std::size_t(in_block)) * half;
         const std::ptrdiff_t to = std::ptrdiff_t(in_box) * half;
-        unrolled<grid::block_edge>([&](auto k) __attribute__((always_inline)) {  // rows are short
-          constexpr int i = k * half;
-          if (k >= count) return;
+        unrolled<grid::block_edge>([&](auto n) __attribute__((always_inline)) {  // rows are short
+          constexpr int i = n * half;
+          if (n >= count) return;
           using Half = Simd<T, half>;
           const Half v = read<Half>(blocks.velocity.data() + from + i);
           write(v, velocity + to + i);
@@ -63,16 +63,16 @@ class BatchSums {
                                     const BatchNodes<Shape, T, D>& at) {
     return at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits, bool some)
                                   __attribute__((always_inline)) {
-      const std::ptrdiff_t lowest = std::ptrdiff_t(node) * grid::node_width<D>;
+      const std::ptrdiff_t at_node = std::ptrdiff_t(node) * grid::node_width<D>;
       const auto put = [&](auto& to, int c, const Sums<T, D>& sums) __attribute__((always_inline)) {
         if (some)
           to.template put<true>(i, c, sums, bits);
         else
           to.template put<false>(i, c, sums, bits);
       };
-      for (int c = 0; c < D; ++c) put(velocity_, c, passes::gather<of_velocity>(nodes.velocity + lowest, c, box, stencil));
+      for (int c = 0; c < D; ++c) put(velocity_, c, passes::gather<of_velocity>(nodes.velocity + at_node, c, box, stencil));
       if constexpr (has_second)
-        for (int c = 0; c < D; ++c) put(second_, c, passes::gather<of_second>(nodes.second + lowest, c, box, stencil));
+        for (int c = 0; c < D; ++c) put(second_, c, passes::gather<of_second>(nodes.second + at_node, c, box, stencil));
     });
   }
 

@@ -20,8 +20,10 @@ class Phases;
 template <class Shape, class Transfer, class T, int D, class Execution, class Loads, class... Materials>
 class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> {
   using Bodies = std::tuple<Body<Materials, T, D, Transfer>...>;
-  static_assert((count_of_type<Materials, Materials...> + ...) == sizeof...(Materials),
-                "mote: two materials of one solver have the same C++ type; they are not told apart yet");
+  static_assert(
+      can_be_told_apart<Materials...>,
+      "mote: two materials of one solver have the same C++ type and no operator==, so fill() cannot tell them "
+      "apart; add a defaulted operator== to their parts");
 
   Frame<T, D> frame_;
   Transfer transfer_;
@@ -53,7 +55,9 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
               return Bodies{{m, {}, 0, 0}...};
             },
             materials)),
-        remaps_(remaps) {}
+        remaps_(remaps) {
+    require_distinct(materials);
+  }
 
   /// A step of length dt starts at `time`.
   void begin(double time, double dt) {
@@ -182,10 +186,14 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
 
   template <class M>
   static constexpr bool holds = (std::is_same_v<M, Materials> || ...);
-  /// The body of a material. Two materials of one C++ type are not told apart yet (Solver refuses them).
+  /// The body whose material has this type and these numbers. Throws InputError if there is none.
   template <class M>
-  auto& body_of() {
-    return std::get<Body<M, T, D, Transfer>>(bodies_);
+  auto& body_of(const M& material, const char* caller) {
+    return find_body<Body<M, T, D, Transfer>>(bodies_, material, caller);
+  }
+  template <class M>
+  const auto& body_of(const M& material, const char* caller) const {
+    return find_body<const Body<M, T, D, Transfer>>(bodies_, material, caller);
   }
   template <int I>
   auto& body() {

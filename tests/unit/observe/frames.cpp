@@ -128,7 +128,39 @@ TEST_CASE("vtp: particles with the user's fields and their image, padded", "[fra
                        expectation(file, "volume_ratio", 1, real, {1, 1}) +
                        expectation(file, "id", 1, "UInt32", {0, 0}) + "sub/p.pvd\tframes\tp_0000.vtp\t0\n"));
   const std::string text = content(scratch.path / file);
-  for (const char* hidden : {"affine", "mass", "deviatoric"}) CHECK(text.find(hidden) == std::string::npos);
+  for (const char* hidden : {"affine", "mass", "deviatoric", "body"}) CHECK(text.find(hidden) == std::string::npos);
+}
+
+TEST_CASE("vtp: of several bodies each has its number, and nan for what it lacks", "[frames]") {
+  const Scratch scratch;
+  const Material own{eos::LinearBulk{.rho0 = 1000, .bulk_modulus = 2e9}, Tracer{}};
+  auto colder = metal;
+  colder.heat.initial_temperature = 200;
+  Solver solver{grid::Cartesian<2>{.spacing = 1},
+                shape::Linear{},
+                transfer::Flip{},
+                timestep::Cfl{},
+                boundary::Symmetry{.side = side::x_min, .at = 0},
+                metal,
+                own,
+                colder};
+  const auto put = [&](int row, const auto& material) {
+    solver.fill(geometry::Box<2>{.lower = {0, double(row)}, .upper = {1, row + 1.0}}, material, {.per_axis = 1});
+  };
+  put(4, colder), put(0, metal), put(2, own);
+  solver.run({.until = 1e-6}, observe::Vtp{.stem = scratch.path / "p", .frames = 1, .mirror = {axis::x}},
+             observe::Vti{.stem = scratch.path / "g", .frames = 1});
+  const double nan = std::nan("");
+  const std::string real = "Float32", file = "p_0000.vtp";
+  CHECK(reads_back(scratch.path,
+                   expectation(file, "body", 1, "UInt32", {0, 1, 2, 0, 1, 2}) +
+                       expectation(file, "id", 1, "UInt32", {1, 2, 0, 1, 2, 0}) +
+                       expectation(file, "density", 1, real, {2700, 1000, 2700, 2700, 1000, 2700}) +
+                       expectation(file, "temperature", 1, real, {300, nan, 200, 300, nan, 200}) +
+                       expectation(file, "von_mises_stress", 1, real, {0, nan, 0, 0, nan, 0}) +
+                       expectation(file, "marker", 1, real, {nan, 7, nan, nan, 7, nan}) +
+                       expectation(file, "drift", 3, real,
+                                   {nan, nan, nan, 2, 2, 0, nan, nan, nan, nan, nan, nan, -2, 2, 0, nan, nan, nan})));
 }
 
 TEST_CASE("vtp and vti: frame times, what a metal has, any number of threads", "[frames]") {
