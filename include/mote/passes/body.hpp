@@ -122,8 +122,7 @@ template <class T, int N>
   if constexpr (N == lanes) {
     transpose(components, records);
   } else {
-    for (int c = 0; c < N; ++c)
-      for (int l = 0; l < lanes; ++l) records[l].set(c, components[c][std::size_t(l)]);
+    for (int l = 0; l < lanes; ++l) records[l] = Simd<T, N>([&](int c) { return components[c][std::size_t(l)]; });
   }
 }
 

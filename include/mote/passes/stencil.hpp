@@ -84,7 +84,7 @@ template <Wanted W, int A, class T, int D, class Shape>
   if constexpr (A == D) {
     sum.value = Pack<T>(*at);
   } else {
-    constexpr int middle = Stencil<T, D, Shape>::middle;
+    constexpr int middle = Stencil<T, D, Shape>::middle, first_moment = middle == 0 ? 1 : 0;
     unrolled<Shape::support>([&](auto i) __attribute__((always_inline)) {
       const Sums<T, D> inner = contract<W, A + 1>(at + i * stride[A], stride, s);
       const auto add = [&](Pack<T>& to, const Pack<T>& term) __attribute__((always_inline)) {
@@ -95,7 +95,7 @@ template <Wanted W, int A, class T, int D, class Shape>
       if constexpr (W.slopes) add(sum.slope[A], s.slope[A][i] * inner.value);
       if constexpr (W.moments && i != middle) {
         const Pack<T> moment = i == middle + 1 ? weighted : Pack<T>(T(i - middle) * weighted);
-        sum.moment[A] = i == (middle == 0) ? moment : Pack<T>(sum.moment[A] + moment);
+        sum.moment[A] = i == first_moment ? moment : Pack<T>(sum.moment[A] + moment);
       }
       for (int b = A + 1; b < D; ++b) {
         if constexpr (W.slopes) add(sum.slope[b], s.value[A][i] * inner.slope[b]);
