@@ -120,7 +120,8 @@ TEST_CASE("a sort keeps a particle's numbers together and puts blocks in order",
   auto& particles = solver.particles();
   Random random;
   double next = 0;
-  particles.for_each_column([&]<class N>(std::vector<N>& column) {
+  particles.for_each_column([&]<class Column>(Column& column) {
+    using N = typename Column::value_type;
     if constexpr (std::is_same_v<N, double>)
       for (N& value : column) value = 1 + 1e-9 * next++;  // each number is another
   });
