@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <tuple>
+#include <cstring>
 #include <vector>
 
 #include <mote/core/error.hpp>
@@ -119,10 +120,14 @@ void for_each_pack(const Tile<D>& tile, const F& f) {
 /// Packs of components to one record per lane.
 template <class T, int N>
 [[gnu::always_inline]] inline void to_records(const Pack<T> (&components)[N], Simd<T, N> (&records)[lanes]) {
+  static_assert(N <= lanes);
   if constexpr (N == lanes) {
     transpose(components, records);
   } else {
-    for (int l = 0; l < lanes; ++l) records[l] = Simd<T, N>([&](int c) { return components[c][std::size_t(l)]; });
+    Pack<T> padded[lanes], rows[lanes];
+    for (int c = 0; c < lanes; ++c) padded[c] = c < N ? components[c < N ? c : 0] : Pack<T>(T(0));
+    transpose(padded, rows);
+    for (int l = 0; l < lanes; ++l) std::memcpy(&records[l], &rows[l], sizeof(records[l]));
   }
 }
 

@@ -27,12 +27,11 @@ struct NodeFields {
             const NodeBox<D>& box) {
     for (std::uint32_t k = tile.links_begin; k < tile.links_end; ++k) {
       const std::size_t block = std::size_t(links[k].block) * grid::block_nodes<D>;
-      for_each_row(links[k], box, [&](int in_box, int in_block, int count) {
+      for_each_row(links[k], box, [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
         const std::size_t from = (block + std::size_t(in_block)) * half;
         const std::ptrdiff_t to = std::ptrdiff_t(in_box) * half;
-        unrolled<grid::block_edge>([&](auto n) __attribute__((always_inline)) {  // rows are short
+        unrolled<count>([&](auto n) __attribute__((always_inline)) {
           constexpr int i = n * half;
-          if (n >= count) return;
           using Half = Simd<T, half>;
           const Half v = read<Half>(blocks.velocity.data() + from + i);
           write(v, velocity + to + i);
@@ -145,22 +144,23 @@ class Range {
 /// Collects a tile's report, lane by lane; what is wrong is only looked for if something is.
 template <class T>
 class Reporter {
-  Pack<T> speed_ = T(0), wrong_ = T(0);
+  Pack<T> speed2_ = T(0), wrong_ = T(0);
 
  public:
   template <class M, class V>
   void include(const M& material, const V& p) {
     using std::sqrt;
-    const Pack<T> speed = sqrt(material.sound_speed2(p)) + norm(get<field::Velocity>(p));
-    speed_ = max(speed_, speed);
-    const Pack<T> one = T(1);
-    wrong_ = select(speed < Pack<T>(std::numeric_limits<T>::infinity()), wrong_, one);
+    const Pack<T> c2 = material.sound_speed2(p), v2 = dot(get<field::Velocity>(p), get<field::Velocity>(p));
+    const Pack<T> speed2 = c2 + v2 + T(2) * sqrt(c2 * v2), one = T(1);  // (c + |v|)^2, with one root
+    speed2_ = max(speed2_, speed2);
+    wrong_ = select(speed2 < Pack<T>(std::numeric_limits<T>::infinity()), wrong_, one);
+    wrong_ = select(c2 >= Pack<T>(T(0)), wrong_, one);
     wrong_ = select(material.admissible(p), wrong_, one);
   }
 
   template <class B, int D>
   TileReport of(const B& body, const Tile<D>& tile) const {
-    TileReport report{double(largest(speed_))};
+    TileReport report{std::sqrt(double(largest(speed2_)))};
     for (std::uint32_t i = tile.first; largest(wrong_) > 0 && i < tile.first + tile.count; ++i) {
       Values<T, D, union_of<fields<field::Velocity>, particle_fields_of<typename B::Material>>> p;
       body.particles.load(i, p);

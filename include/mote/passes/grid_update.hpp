@@ -36,10 +36,9 @@ bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulato
     const Link<D>& link = tiling.links[tiling.block_links[k]];
     const Tile<D>& tile = tiling.tiles[link.tile];
     const T* from = accumulators + tile.buffer * width;
-    for_each_row(link, NodeBox<D>(tile, support), [&](int in_box, int in_block, int count) {
+    for_each_row(link, NodeBox<D>(tile, support), [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
       touched = true;
-      unrolled<grid::block_edge>([&](auto i) __attribute__((always_inline)) {  // rows are short
-        if (i >= count) return;
+      unrolled<count>([&](auto i) __attribute__((always_inline)) {
         T* to = sums + (in_block + i) * width;
         write(Record(read<Record>(to) + read<Record>(from + std::ptrdiff_t(in_box + i) * width)), to);
       });

@@ -87,7 +87,7 @@ template <class Shape, AxisWeights Kind, class T, int D, int width>
   for (int first = 0; first < n;) {
     int last = first + 1;
     while (last < n && at.node[last] == at.node[first]) ++last;
-    scatter<Kind>(nodes + std::ptrdiff_t(at.node[first]) * width, box, weights, of, first, last);
+    Scatter<Kind, Record, T, D, Shape>(weights, of, first, last)(nodes + std::ptrdiff_t(at.node[first]) * width, box);
     first = last;
   }
 }

@@ -49,7 +49,7 @@ struct Stencil {
 template <class Shape, class T, int D>
 struct LowestNodes {
   Vec<Pack<T>, D> base;  ///< coordinates
-  int node[lanes];       ///< number in the box
+  int node[lanes] = {};  ///< number in the box
 
   /// \param xi positions in cells, relative to the first node of the tile's block
   [[gnu::always_inline]] LowestNodes(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
@@ -154,61 +154,136 @@ struct Contribution {
   Record value, axis[D];
 };
 
-/// Adds sum over particles from `first` to `last`, which share their nodes, of w value + sum_a u_a axis[a], to the
-/// records of those nodes; `at` is the lowest.
+/// The node that gets what is left of a sum over all nodes when the others have had their part, or -1. The weights sum
+/// to one, so the sum itself takes no weight at all; what is left is accurate where its weight is never small.
+template <class Shape>
+inline constexpr int rest = Shape::support > 2 ? (Shape::support - 1) / 2 : -1;
+
+/// Calls f(i) for all nodes of an axis, the one that gets the rest last.
+template <class Shape, class F>
+[[gnu::always_inline]] inline void rest_last(F&& f) {
+  unrolled<Shape::support>([&](auto i) __attribute__((always_inline)) {
+    if constexpr (i != rest<Shape>) f(i);
+  });
+  if constexpr (rest<Shape> >= 0) f(std::integral_constant<int, rest<Shape>>{});
+}
+
+/// Adds, for the particles from `first` to `last`, which share their nodes, w value + sum_a u_a axis[a] to the records
+/// of those nodes; `at` is the lowest.
 template <AxisWeights Kind, class Record, class T, int D, class Shape>
-[[gnu::always_inline]] inline void scatter(T* at, const NodeBox<D>& box, const ScatterWeights<Kind, T, D, Shape>& w,
-                                           const Contribution<Record, D>* of, int first, int last) {
-  constexpr int n = Shape::support, width = int(Record::size()), planes = D == 3 ? n : 1, rows = D == 1 ? 1 : n;
-  constexpr int y = D == 1 ? 0 : D - 2, z = D - 1;
-  constexpr bool axes = Kind != AxisWeights::none;
-  const auto value = [&](int a, int i, int l) __attribute__((always_inline)) { return Record(w.value[a][i][l]); };
-  const auto axis = [&](int a, int i, int l) __attribute__((always_inline)) {
-    return repeated<Record>(w.axis[a][i][l]);
-  };
-  // w a + u b
-  const auto both = [&](int axis_number, int i, int l, const Record& a, const Record& b) __attribute__((always_inline)) {
-    if constexpr (axes)
-      return Record(value(axis_number, i, l) * a + axis(axis_number, i, l) * b);
-    else
-      return Record(value(axis_number, i, l) * a);
-  };
-  const std::ptrdiff_t row_stride = D == 1 ? 0 : std::ptrdiff_t(box.stride[std::size_t(y)]) * width;
-  for (int i = 0; i < planes; ++i) {
-    T* plane = at + (D == 3 ? std::ptrdiff_t(i) * box.stride[0] * width : 0);
-    Record sum[rows][n];
-    unrolled<rows>([&](auto j) __attribute__((always_inline)) {
-      unrolled<n>([&](auto k) __attribute__((always_inline)) { sum[j][k] = read<Record>(plane + j * row_stride + k * width); });
-    });
-    for (int l = first; l < last; ++l) {
-      Record a = of[l].value, along_y, along_z;
-      if constexpr (axes) {
-        along_y = of[l].axis[y];
-        along_z = of[l].axis[z];
-      }
-      if constexpr (D == 3) {
-        a = both(0, i, l, a, of[l].axis[0]);
-        if constexpr (axes) along_y *= value(0, i, l), along_z *= value(0, i, l);
-      }
-      Record wk[n], uk[n];
-      unrolled<n>([&](auto k) __attribute__((always_inline)) {
-        wk[k] = value(z, k, l);
-        if constexpr (axes) uk[k] = axis(z, k, l);
-      });
-      unrolled<rows>([&](auto j) __attribute__((always_inline)) {
-        const Record aj = D == 1 ? a : both(y, j, l, a, along_y);
-        Record bj;
-        if constexpr (axes) bj = D == 1 ? along_z : Record(value(y, j, l) * along_z);
-        unrolled<n>([&](auto k) __attribute__((always_inline)) {
-          sum[j][k] += wk[k] * aj;
-          if constexpr (axes) sum[j][k] += uk[k] * bj;
+class Scatter {
+  static constexpr int n = Shape::support, width = int(Record::size()), rows = D == 1 ? 1 : n, y = D - 2, z = D - 1;
+  static constexpr bool axes = Kind != AxisWeights::none;
+  /// Planes of nodes that one sweep over the particles serves: as many as registers hold.
+  static constexpr int at_once = D == 3 && n == 2 ? 2 : 1;
+  using Plane = Record[rows][n];
+
+  const ScatterWeights<Kind, T, D, Shape>& w_;
+  const Contribution<Record, D>* of_;
+  int first_, last_;
+
+ public:
+  [[gnu::always_inline]] Scatter(const ScatterWeights<Kind, T, D, Shape>& w, const Contribution<Record, D>* of,
+                                 int first, int last)
+      : w_(w), of_(of), first_(first), last_(last) {}
+
+  [[gnu::always_inline]] void operator()(T* at, const NodeBox<D>& box) const {
+    const std::ptrdiff_t row = D == 1 ? 0 : std::ptrdiff_t(box.stride[std::size_t(D == 1 ? 0 : y)]) * width,
+                         plane = D == 3 ? std::ptrdiff_t(box.stride[0]) * width : 0;
+    Plane sum[at_once];
+    if constexpr (D < 3 || at_once == n) {
+      add_up<0>(sum);
+      for (int i = 0; i < at_once; ++i) add(sum[i], at + i * plane, row);
+    } else {
+      Plane others;
+      for_each_node([&](int j, int k) { others[j][k] = Record(0); });
+      rest_last<Shape>([&](auto i) __attribute__((always_inline)) {
+        add_up<i>(sum);
+        for_each_node([&](int j, int k) __attribute__((always_inline)) {
+          if constexpr (i == rest<Shape>)
+            sum[0][j][k] -= others[j][k];
+          else if constexpr (rest<Shape> >= 0)
+            others[j][k] += sum[0][j][k];
         });
+        add(sum[0], at + i * plane, row);
       });
     }
-    unrolled<rows>([&](auto j) __attribute__((always_inline)) {
-      unrolled<n>([&](auto k) __attribute__((always_inline)) { write(sum[j][k], plane + j * row_stride + k * width); });
+  }
+
+ private:
+  template <class F>
+  [[gnu::always_inline]] static void for_each_node(F&& f) {
+    unrolled<rows * n>([&](auto c) __attribute__((always_inline)) { f(c / n, c % n); });
+  }
+  [[gnu::always_inline]] static void add(const Plane& sum, T* at, std::ptrdiff_t row) {
+    for_each_node([&](int j, int k) __attribute__((always_inline)) {
+      T* to = at + j * row + k * width;
+      write(Record(read<Record>(to) + sum[j][k]), to);
     });
   }
-}
+
+  [[gnu::always_inline]] Record value(int axis, int i, int l) const { return Record(w_.value[axis][i][l]); }
+  [[gnu::always_inline]] Record slope(int axis, int i, int l) const { return repeated<Record>(w_.axis[axis][i][l]); }
+  /// w a + u b
+  [[gnu::always_inline]] Record both(int axis, int i, int l, const Record& a, const Record& b) const {
+    if constexpr (axes)
+      return value(axis, i, l) * a + slope(axis, i, l) * b;
+    else
+      return value(axis, i, l) * a;
+  }
+
+  /// The sums over the particles of the planes from i on (in three dimensions).
+  template <int i>
+  [[gnu::always_inline]] void add_up(Plane (&sum)[at_once]) const {
+    for (auto& plane : sum) for_each_node([&](int j, int k) { plane[j][k] = Record(0); });
+    for (int l = first_; l < last_; ++l)
+      unrolled<at_once>([&](auto m) __attribute__((always_inline)) {
+        constexpr int plane = i + m;
+        Record a = of_[l].value, along_y{}, along_z{};
+        if constexpr (axes) {
+          along_y = of_[l].axis[D == 1 ? 0 : y];
+          along_z = of_[l].axis[z];
+        }
+        if constexpr (D == 3 && plane != rest<Shape>) {
+          a = both(0, plane, l, a, of_[l].axis[0]);
+          if constexpr (axes) along_y *= value(0, plane, l), along_z *= value(0, plane, l);
+        }
+        add_plane(sum[m], l, a, along_y, along_z);
+      });
+    if constexpr (rest<Shape> >= 0) leave_rest(sum[0]);
+  }
+
+  /// From the sum over a row or column to what is left for the node that gets the rest.
+  [[gnu::always_inline]] static void leave_rest(Plane& sum) {
+    constexpr int r = rest<Shape>;
+    for_each_node([&](int j, int k) __attribute__((always_inline)) {
+      if (k != r) sum[j][r] -= sum[j][k];
+    });
+    if constexpr (D > 1)
+      for_each_node([&](int j, int k) __attribute__((always_inline)) {
+        if (j != r) sum[r][k] -= sum[j][k];
+      });
+  }
+
+  [[gnu::always_inline]] void add_plane(Plane& sum, int l, const Record& a, const Record& along_y,
+                                        const Record& along_z) const {
+    unrolled<rows>([&](auto j) __attribute__((always_inline)) {
+      constexpr bool as_is = D == 1 || j == rest<Shape>;
+      Record aj = a, bj = along_z;
+      if constexpr (!as_is) {
+        aj = both(y, j, l, a, along_y);
+        if constexpr (axes) bj = value(y, j, l) * along_z;
+      }
+      unrolled<n>([&](auto k) __attribute__((always_inline)) {
+        if constexpr (k == rest<Shape>) {
+          sum[j][k] += aj;
+        } else {
+          sum[j][k] += value(z, k, l) * aj;
+          if constexpr (axes) sum[j][k] += slope(z, k, l) * bj;
+        }
+      });
+    });
+  }
+};
 
 }  // namespace mote::passes

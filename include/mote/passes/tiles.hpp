@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include <mote/core/error.hpp>
@@ -78,29 +79,39 @@ struct Link {
   std::array<std::int8_t, D> count;  ///< nodes per axis
 };
 
-/// Calls f(node in the tile's box, node in the block, length) for each row of the link that lies in the tile's box.
+/// Calls f(node in the tile's box, node in the block, length) for each row of the link that lies in the tile's box; the
+/// length is a constant, 1 to block_edge, since rows are short and many.
 template <int D, class F>
-void for_each_row(const Link<D>& link, const NodeBox<D>& box, const F& f) {
+[[gnu::always_inline]] inline void for_each_row(const Link<D>& link, const NodeBox<D>& box, const F& f) {
   std::array<int, D> from, to;
   for (std::size_t a = 0; a < std::size_t(D); ++a) {
     from[a] = std::max(int(link.from[a]), box.lo[a]);
     to[a] = std::min(link.from[a] + link.count[a], box.lo[a] + box.extent[a]);
     if (from[a] >= to[a]) return;
   }
-  const auto row = [&](int in_box, int in_block) {
-    constexpr std::size_t z = std::size_t(D - 1);
-    f(in_box + from[z] - box.lo[z], in_block * grid::block_edge + from[z] - link.from[z] + link.at[z], to[z] - from[z]);
-  };
+  constexpr std::size_t z = std::size_t(D - 1);
   const auto box_offset = [&](std::size_t a, int i) { return (i - box.lo[a]) * box.stride[a]; };
   const auto block_offset = [&](std::size_t a, int i) { return i - link.from[a] + link.at[a]; };
-  if constexpr (D == 1) {
-    row(0, 0);
-  } else if constexpr (D == 2) {
-    for (int i = from[0]; i < to[0]; ++i) row(box_offset(0, i), block_offset(0, i));
-  } else {
-    for (int i = from[0]; i < to[0]; ++i)
-      for (int j = from[1]; j < to[1]; ++j)
-        row(box_offset(0, i) + box_offset(1, j), block_offset(0, i) * grid::block_edge + block_offset(1, j));
+  const auto rows = [&](auto length) __attribute__((always_inline)) {
+    const auto row = [&](int in_box, int in_block) __attribute__((always_inline)) {
+      f(in_box + from[z] - box.lo[z], in_block * grid::block_edge + block_offset(z, from[z]), length);
+    };
+    if constexpr (D == 1) {
+      row(0, 0);
+    } else if constexpr (D == 2) {
+      for (int i = from[0]; i < to[0]; ++i) row(box_offset(0, i), block_offset(0, i));
+    } else {
+      for (int i = from[0]; i < to[0]; ++i)
+        for (int j = from[1]; j < to[1]; ++j)
+          row(box_offset(0, i) + box_offset(1, j), block_offset(0, i) * grid::block_edge + block_offset(1, j));
+    }
+  };
+  static_assert(grid::block_edge == 4);
+  switch (to[z] - from[z]) {
+    case 1: return rows(std::integral_constant<int, 1>{});
+    case 2: return rows(std::integral_constant<int, 2>{});
+    case 3: return rows(std::integral_constant<int, 3>{});
+    default: return rows(std::integral_constant<int, 4>{});
   }
 }
 
