@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -102,8 +103,7 @@ struct AxisProfile {
   void begin(const Solver& solver, const Run& run) {
     schedule_ = Schedule::of(every, frames, solver.time(), run.until);
     bins.clear();
-    file_.reset();
-    if (!file.empty()) file_.emplace(file, "time_ns,z_um,vz_m_s,p_mpa,t_k,rho_kg_m3");
+    file_ = file.empty() ? nullptr : std::make_unique<LineFile>(file, "time_ns,z_um,vz_m_s,p_mpa,t_k,rho_kg_m3");
     observe(solver);
   }
   double due() const { return schedule_.due(); }
@@ -128,7 +128,7 @@ struct AxisProfile {
 
   // What it remembers; not to be set.
   Schedule schedule_ = {};
-  std::optional<LineFile> file_ = {};
+  std::unique_ptr<LineFile> file_ = {};
 };
 
 }  // namespace mote::observe

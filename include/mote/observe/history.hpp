@@ -144,8 +144,7 @@ struct History {
     void_.reset();
     if constexpr (Solver::dimension == 3)
       if (cavity) void_.emplace(solver.spacing(), detail::void_domain(solver, cavity->mirrored), cavity->centre);
-    file_.reset();
-    if (!file.empty()) file_.emplace(file, detail::history_header);
+    file_ = file.empty() ? nullptr : std::make_unique<LineFile>(file, detail::history_header);
     sample(solver, false);
   }
   double due() const { return schedule_.due(); }
@@ -161,7 +160,7 @@ struct History {
 
   // What it remembers between samples; not to be set.
   Schedule schedule_ = {};
-  std::optional<LineFile> file_ = {};
+  std::unique_ptr<LineFile> file_ = {};
   std::optional<VoidComponent> void_ = {};
   Ledger start_ = {};
   int component_ = 0;

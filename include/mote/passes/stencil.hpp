@@ -48,7 +48,7 @@ struct Stencil {
 /// same expression, or a column that was written from outside, NaN too, from reaching beyond it.
 template <class Shape, class T, int D>
 struct LowestNodes {
-  Vec<Pack<T>, D> base;  ///< coordinates
+  Vec<Pack<T>, D> base{};  ///< coordinates
   int node[lanes] = {};  ///< number in the box
 
   /// \param xi positions in cells, relative to the first node of the tile's block
