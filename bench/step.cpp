@@ -1,60 +1,46 @@
 /// \file
-/// What does a step cost per particle, beside a fair textbook loop on the same scene in the same run?
+/// What does a step cost per particle, beside a fair textbook loop on the same scene in the same run? What do two
+/// threads and single precision save?
 ///
-/// Both take steps in turn, one thread each, so that a drift of the machine's speed hits both; counters are medians
-/// over the rounds. The textbook loop has a dense grid, a structure of arrays and the order of the fill, which is good
-/// for it.
+/// The two things compared take steps in turn, so that a drift of the machine's speed hits both; counters are medians
+/// over the rounds, ratios medians of the rounds' ratios. Threads stay on their cores. The textbook loop has a dense
+/// grid, a structure of arrays and the order of the fill, which is good for it.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <chrono>
-#include <vector>
-
 #include "scene.hpp"
+#include "timing.hpp"
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-template <class F>
-double seconds(F&& f) {
-  const auto start = Clock::now();
-  f();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-double median(std::vector<double> v) {
-  std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-  return v[v.size() / 2];
-}
+constexpr int steps = 5;  // per turn
 
 template <class Loop, class Shape, class Transfer, class Update>
 void beside_textbook(benchmark::State& state, Shape shape, Transfer transfer, Update update) {
+  bench::keep_on_cores(0, 0);
   const bench::Scene scene;
   auto solver = scene.library<double>(shape, transfer, update, mote::execution::Serial{});
   auto loop = scene.textbook<Loop>();
   const double dt = solver->step();  // the first step sorts, and touches the memory
   loop.step(dt);
-  std::vector<double> ours, theirs;
-  constexpr int steps = 5;
+  bench::Turns turns;
   for (auto _ : state) {
-    ours.push_back(seconds([&] {
-                     for (int i = 0; i < steps; ++i) solver->step(dt);
-                   }) /
-                   steps);
-    theirs.push_back(seconds([&] {
-                       for (int i = 0; i < steps; ++i) loop.step(dt);
-                     }) /
-                     steps);
-    state.SetIterationTime(ours.back());
+    turns(
+        [&] {
+          for (int i = 0; i < steps; ++i) solver->step(dt);
+        },
+        [&] {
+          for (int i = 0; i < steps; ++i) loop.step(dt);
+        });
+    state.SetIterationTime(turns.last_second());
   }
-  const double n = 1e9 / double(solver->size());
-  state.counters["mote_ns"] = n * median(ours);
-  state.counters["textbook_ns"] = n * median(theirs);
-  state.counters["ratio"] = median(theirs) / median(ours);
+  const double n = 1e9 / steps / double(solver->size());
+  state.counters["mote_ns"] = n * turns.first();
+  state.counters["textbook_ns"] = n * turns.second();
+  state.counters["ratio"] = turns.ratio();
   state.counters["particles"] = double(solver->size());
 }
 
+using mote::shape::CubicBSpline;
 using mote::shape::Linear;
 using mote::shape::QuadraticBSpline;
 using mote::transfer::Apic;
@@ -63,7 +49,7 @@ using mote::update::Musl;
 using mote::update::Usl;
 template <textbook::Shape S, textbook::Transfer X, textbook::Update U>
 using Loop = textbook::Loop<S, X, U>;
-constexpr auto linear = textbook::Shape::linear, quadratic = textbook::Shape::quadratic;
+constexpr auto linear = textbook::Shape::linear, quadratic = textbook::Shape::quadratic, cubic = textbook::Shape::cubic;
 constexpr auto flip = textbook::Transfer::flip, apic = textbook::Transfer::apic;
 constexpr auto usl = textbook::Update::usl, musl = textbook::Update::musl;
 
@@ -75,32 +61,48 @@ void quadratic_apic_usl(benchmark::State& s) {
 void quadratic_flip_usl(benchmark::State& s) {
   beside_textbook<Loop<quadratic, flip, usl>>(s, QuadraticBSpline{}, Flip{}, Usl{});
 }
+void cubic_apic_usl(benchmark::State& s) { beside_textbook<Loop<cubic, apic, usl>>(s, CubicBSpline{}, Apic{}, Usl{}); }
+
+/// Two solvers of the library in turns.
+template <class A, class B>
+void beside_each_other(benchmark::State& state, A& one, B& two, double (*clock)()) {
+  one.step(), two.step();
+  bench::Turns turns(clock);
+  for (auto _ : state) {
+    turns(
+        [&] {
+          for (int i = 0; i < steps; ++i) one.step();
+        },
+        [&] {
+          for (int i = 0; i < steps; ++i) two.step();
+        });
+    state.SetIterationTime(turns.last_second());
+  }
+  const double n = 1e9 / steps / double(one.size());
+  state.counters["first_ns"] = n * turns.first();
+  state.counters["second_ns"] = n * turns.second();
+  state.counters["gain"] = 1 / turns.ratio();
+  if (clock == bench::wall_time) state.counters["share"] = turns.share();
+}
 
 template <class Shape, class Transfer, class Update>
 void threads(benchmark::State& state, Shape shape, Transfer transfer, Update update) {
   const bench::Scene scene;
-  auto one = scene.library<double>(shape, transfer, update, mote::execution::Threads(1));
-  auto two = scene.library<double>(shape, transfer, update, mote::execution::Threads(2));
-  one->step(), two->step();
-  std::vector<double> t1, t2;
-  constexpr int steps = 5;
-  for (auto _ : state) {
-    t1.push_back(seconds([&] {
-                   for (int i = 0; i < steps; ++i) one->step();
-                 }) /
-                 steps);
-    t2.push_back(seconds([&] {
-                   for (int i = 0; i < steps; ++i) two->step();
-                 }) /
-                 steps);
-    state.SetIterationTime(t2.back());
-  }
-  state.counters["one_thread_ns"] = 1e9 * median(t1) / double(one->size());
-  state.counters["speed_up"] = median(t1) / median(t2);
+  auto one = scene.library<double>(shape, transfer, update, bench::pinned_threads(1));
+  auto two = scene.library<double>(shape, transfer, update, bench::pinned_threads(2));
+  beside_each_other(state, *one, *two, bench::wall_time);
 }
 
 void two_threads_quadratic_apic(benchmark::State& s) { threads(s, QuadraticBSpline{}, Apic{}, Usl{}); }
 void two_threads_linear_flip_musl(benchmark::State& s) { threads(s, Linear{}, Flip{}, Musl{}); }
+
+void float_quadratic_apic(benchmark::State& state) {
+  bench::keep_on_cores(0, 0);
+  const bench::Scene scene;
+  auto full = scene.library<double>(QuadraticBSpline{}, Apic{}, Usl{}, mote::execution::Serial{});
+  auto half = scene.library<float>(QuadraticBSpline{}, Apic{}, Usl{}, mote::execution::Serial{});
+  beside_each_other(state, *full, *half, bench::own_time);
+}
 
 }  // namespace
 
@@ -108,12 +110,14 @@ int main(int argc, char** argv) {
   const auto add = [](const char* name, void (*f)(benchmark::State&)) {
     benchmark::RegisterBenchmark(name, f)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7);
   };
-  add("linear_flip_musl", linear_flip_musl);
-  add("linear_flip_usl", linear_flip_usl);
-  add("quadratic_apic_usl", quadratic_apic_usl);
-  add("quadratic_flip_usl", quadratic_flip_usl);
-  add("two_threads/quadratic_apic", two_threads_quadratic_apic);
-  add("two_threads/linear_flip_musl", two_threads_linear_flip_musl);
+  add("textbook/linear/flip/musl", linear_flip_musl);
+  add("textbook/linear/flip/usl", linear_flip_usl);
+  add("textbook/quadratic/flip/usl", quadratic_flip_usl);
+  add("textbook/quadratic/apic/usl", quadratic_apic_usl);
+  add("textbook/cubic/apic/usl", cubic_apic_usl);
+  add("two_threads/quadratic/apic/usl", two_threads_quadratic_apic);
+  add("two_threads/linear/flip/musl", two_threads_linear_flip_musl);
+  add("float/quadratic/apic/usl", float_quadratic_apic);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }
