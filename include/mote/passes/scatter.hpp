@@ -84,11 +84,9 @@ template <class Shape, AxisWeights Kind, class T, int D, int width>
         for (int l = 0; l < lanes; ++l) of[l].axis[a] = records[l];
       }
   }
-  for (int first = 0; first < n;) {
-    int last = first + 1;
-    while (last < n && at.node[last] == at.node[first]) ++last;
+  for (int first = 0, last; first < n; first = last) {
+    for (last = first + 1; last < n && at.node[last] == at.node[first];) ++last;
     Scatter<Kind, Record, T, D, Shape>(weights, of, first, last)(nodes + std::ptrdiff_t(at.node[first]) * width, box);
-    first = last;
   }
 }
 

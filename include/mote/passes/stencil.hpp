@@ -48,8 +48,8 @@ struct Stencil {
 /// same expression, or a column that was written from outside, NaN too, from reaching beyond it.
 template <class Shape, class T, int D>
 struct LowestNodes {
-  Vec<Pack<T>, D> base{};  ///< coordinates
-  int node[lanes] = {};  ///< number in the box
+  Vec<Pack<T>, D> base;  ///< coordinates
+  int node[lanes];       ///< number in the box
 
   /// \param xi positions in cells, relative to the first node of the tile's block
   [[gnu::always_inline]] LowestNodes(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
@@ -192,21 +192,20 @@ class Scatter {
                          plane = D == 3 ? std::ptrdiff_t(box.stride[0]) * width : 0;
     Plane sum[at_once];
     if constexpr (D < 3 || at_once == n) {
-      add_up<0>(sum);
+      add_up<false>(sum, 0);
       for (int i = 0; i < at_once; ++i) add(sum[i], at + i * plane, row);
     } else {
       Plane others;
       for_each_node([&](int j, int k) { others[j][k] = Record(0); });
-      rest_last<Shape>([&](auto i) __attribute__((always_inline)) {
-        add_up<i>(sum);
-        for_each_node([&](int j, int k) __attribute__((always_inline)) {
-          if constexpr (i == rest<Shape>)
-            sum[0][j][k] -= others[j][k];
-          else if constexpr (rest<Shape> >= 0)
-            others[j][k] += sum[0][j][k];
-        });
+      for (int i = 0; i < n; ++i) {
+        if (i == rest<Shape>) continue;
+        add_up<false>(sum, i);
+        for_each_node([&](int j, int k) __attribute__((always_inline)) { others[j][k] += sum[0][j][k]; });
         add(sum[0], at + i * plane, row);
-      });
+      }
+      add_up<true>(sum, rest<Shape>);
+      for_each_node([&](int j, int k) __attribute__((always_inline)) { sum[0][j][k] -= others[j][k]; });
+      add(sum[0], at + rest<Shape> * plane, row);
     }
   }
 
@@ -233,18 +232,18 @@ class Scatter {
   }
 
   /// The sums over the particles of the planes from i on (in three dimensions).
-  template <int i>
-  [[gnu::always_inline]] void add_up(Plane (&sum)[at_once]) const {
+  template <bool rest_of_planes>
+  [[gnu::always_inline]] void add_up(Plane (&sum)[at_once], int i) const {
     for (auto& plane : sum) for_each_node([&](int j, int k) { plane[j][k] = Record(0); });
     for (int l = first_; l < last_; ++l)
       unrolled<at_once>([&](auto m) __attribute__((always_inline)) {
-        constexpr int plane = i + m;
+        const int plane = i + m;
         Record a = of_[l].value, along_y{}, along_z{};
         if constexpr (axes) {
           along_y = of_[l].axis[D == 1 ? 0 : y];
           along_z = of_[l].axis[z];
         }
-        if constexpr (D == 3 && plane != rest<Shape>) {
+        if constexpr (D == 3 && !rest_of_planes) {
           a = both(0, plane, l, a, of_[l].axis[0]);
           if constexpr (axes) along_y *= value(0, plane, l), along_z *= value(0, plane, l);
         }
