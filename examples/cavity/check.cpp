@@ -63,6 +63,8 @@ void check_method(const Options& o) {
   demand(!o.flip_blend || (*o.flip_blend >= 0 && *o.flip_blend <= 1), "--flip-blend is ", o.flip_blend.value_or(0),
          "; it must be from 0 to 1");
   demand(o.courant >= 1e-3 && o.courant <= 1, "--courant is ", o.courant, "; it must be from 0.001 to 1");
+  demand(o.sleep_tolerance > 0 && o.sleep_tolerance < 1, "--sleep-tolerance is ", o.sleep_tolerance,
+         "; it must be > 0 and < 1");
   demand(o.threads >= 0 && o.threads <= 1024, "--threads is ", o.threads, "; it must be from 0 (all) to 1024");
 }
 

@@ -46,7 +46,7 @@ const Words<Update> updates{"update", {{"usl", Update::usl}, {"musl", Update::mu
 const Words<Precision> precisions{"precision", {{"double", Precision::double_}, {"float", Precision::single_}}};
 const Words<Domain> domains{"domain", {{"full", Domain::full}, {"quarter", Domain::quarter}}};
 const Words<Fill> fills{"fill", {{"lattice", Fill::lattice}, {"fraction", Fill::fraction}}};
-const Words<bool> sleeps{"sleep", {{"off", false}}, {"on"}};
+const Words<bool> sleeps{"sleep", {{"on", true}, {"off", false}}};
 
 Options preset(const std::string& name) {
   Options o;
@@ -101,6 +101,9 @@ void add_method(CLI::App& app, Options& o) {
   add_words(app, domains, o.domain, "simulate all of the body or one symmetric part [quarter]");
   app.add_option("--threads", o.threads, "0: as many as the machine has [0]");
   add_words(app, precisions, o.precision, "number type [double]");
+  add_words(app, sleeps, o.sleep, "skip material that no wave has reached [on]");
+  app.add_option("--sleep-tolerance", o.sleep_tolerance,
+                 text("what counts as a wave, relative [", o.sleep_tolerance, "]"));
 }
 
 void add_output(CLI::App& app, Options& o) {
@@ -123,8 +126,6 @@ void read(int argc, const char* const* argv, Options& o) {
   add_scene(app, o);
   add_method(app, o);
   add_output(app, o);
-  bool sleep = false;
-  add_words(app, sleeps, sleep, "skip material at rest (on is not available yet) [off]");
   double conductivity = 0;
   app.add_option("--conductivity", conductivity, "W/(m K); only 0 is available yet [0]");
   for (int i = 1; i < argc; ++i)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mote/sleep/quiescent.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -40,6 +41,8 @@ struct Options {
   int threads = 0;  ///< 0: all
   Precision precision = Precision::double_;
   double yield = 120, hardening = 384;  ///< MPa
+  bool sleep = true;
+  double sleep_tolerance = mote::sleep::Quiescent{}.tolerance;
   std::string out = "cavity-out";
   bool overwrite = false;
   double sample = 0.1;  ///< ns

@@ -100,6 +100,7 @@ Result simulate(const Options& o, const Voice& voice) {
                   Update{},
                   timestep::Cfl{.courant = o.courant},
                   execution::Threads{o.threads},
+                  sleep::Quiescent{.tolerance = o.sleep_tolerance, .enabled = o.sleep},
                   boundary::RigidWall{.side = side::z_min, .at = 0},
                   sides...,
                   metal};

@@ -2,6 +2,7 @@
 /// All of mote. SI units throughout; see docs/conventions.md.
 #pragma once
 
+#include <mote/assembly.hpp>
 #include <mote/boundary/concept.hpp>
 #include <mote/boundary/periodic.hpp>
 #include <mote/boundary/rigid_wall.hpp>
@@ -60,8 +61,11 @@
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
 #include <mote/passes/images.hpp>
+#include <mote/passes/messages.hpp>
+#include <mote/passes/neighbours.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/scatter.hpp>
+#include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
 #include <mote/passes/stencil.hpp>
 #include <mote/passes/tiles.hpp>
@@ -69,7 +73,9 @@
 #include <mote/shape/cubic_bspline.hpp>
 #include <mote/shape/linear.hpp>
 #include <mote/shape/quadratic_bspline.hpp>
+#include <mote/sleep/concept.hpp>
 #include <mote/sleep/never.hpp>
+#include <mote/sleep/quiescent.hpp>
 #include <mote/solver.hpp>
 #include <mote/strength/concept.hpp>
 #include <mote/strength/elastic.hpp>

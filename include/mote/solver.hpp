@@ -3,19 +3,17 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
-#include <mote/boundary/concept.hpp>
-#include <mote/core/role.hpp>
+#include <mote/assembly.hpp>
 #include <mote/execution/concept.hpp>
 #include <mote/execution/serial.hpp>
 #include <mote/fill.hpp>
-#include <mote/load/concept.hpp>
 #include <mote/material.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/sort.hpp>
 #include <mote/shape/concept.hpp>
+#include <mote/sleep/concept.hpp>
 #include <mote/sleep/never.hpp>
 #include <mote/timestep/concept.hpp>
 #include <mote/transfer/concept.hpp>
@@ -23,41 +21,6 @@
 #include <mote/update/usl.hpp>
 
 namespace mote {
-
-namespace detail {
-
-/// Stand where a needed part is missing, so that the prose of the solver is the first error.
-struct Missing {};
-struct MissingGrid {
-  static constexpr int dimension = 1;
-  using number = double;
-};
-
-template <class R, class Default, class... Parts>
-using First = typename FirstOf<R, Default, Parts...>::type;
-
-template <class P>
-inline constexpr bool has_solver_role =
-    has_any_role<P, role::Grid, role::Shape, role::Transfer, role::Update, role::Timestep, role::Execution, role::Sleep,
-                 role::Boundary, role::Load, role::Material>;
-
-/// Lets a part object to its own numbers.
-template <class P>
-void validate(const P& part) {
-  if constexpr (requires { part.validate(); }) part.validate();
-}
-
-template <class Boundaries>
-inline constexpr bool are_boundaries = false;
-template <class... B>
-inline constexpr bool are_boundaries<std::tuple<B...>> = (Boundary<B> && ...);
-
-template <class Loads, int D>
-inline constexpr bool are_loads = false;
-template <class... L, int D>
-inline constexpr bool are_loads<std::tuple<L...>, D> = (LoadIn<L, D> && ...);
-
-}  // namespace detail
 
 /// How long a run lasts.
 struct Run {
@@ -75,8 +38,8 @@ struct Run {
 /// worker thread) leaves the columns as the failed step left them, to be looked at or written; further steps throw
 /// UsageError until the columns have been mended and refresh() accepts them. One solver must not be used from two
 /// threads at once; two solvers may run side by side.
-template <class Grid, class Shape, class Transfer, class Update, class Timestep, class Execution, class Boundaries,
-          class Loads, class Materials>
+template <class Grid, class Shape, class Transfer, class Update, class Timestep, class Execution, class Sleep,
+          class Boundaries, class Loads, class Materials>
 class Solver {
   static_assert(!std::is_same_v<Grid, detail::MissingGrid>,
                 "mote: no grid given; add e.g. grid::Cartesian<3>{.spacing = h}");
@@ -94,6 +57,9 @@ class Solver {
   static_assert(mote::Timestep<Timestep> || std::is_same_v<Timestep, detail::Missing>,
                 "mote: the time step policy lacks a member; timestep/concept.hpp lists them");
   static_assert(mote::Execution<Execution>, "mote: the executor lacks a member; execution/concept.hpp lists them");
+  static_assert(mote::Sleep<Sleep>, "mote: the sleep policy lacks a member; sleep/concept.hpp lists them");
+  static_assert(!Sleep::sleeps || std::tuple_size_v<Loads> == 0,
+                "mote: material at rest does not stay there under a load; take sleep::Never with loads");
   static_assert(detail::are_boundaries<Boundaries>, "mote: a boundary lacks a member; boundary/concept.hpp lists them");
   static_assert(detail::are_loads<Loads, Grid::dimension>,
                 "mote: a load does not fit the grid's dimension, or has no "
@@ -109,7 +75,7 @@ class Solver {
  private:
   static constexpr int D = dimension;
   using T = number;
-  using Phases = passes::Phases<Shape, Transfer, T, D, Execution, Loads, Materials>;
+  using Phases = passes::Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, Materials>;
 
   Update update_;
   Timestep timestep_;
@@ -126,8 +92,9 @@ class Solver {
       : update_((detail::validate(parts), ..., detail::pick<role::Update, Update>(parts...))),
         timestep_(detail::pick<role::Timestep, Timestep>(parts...)),
         phases_(detail::pick<role::Grid, Grid>(parts...), detail::pick<role::Transfer, Transfer>(parts...),
-                detail::pick<role::Execution, Execution>(parts...), detail::pick_all<role::Boundary>(parts...),
-                detail::pick_all<role::Load>(parts...), detail::pick_all<role::Material>(parts...), Update::remaps) {
+                detail::pick<role::Execution, Execution>(parts...), detail::pick<role::Sleep, Sleep>(parts...),
+                detail::pick_all<role::Boundary>(parts...), detail::pick_all<role::Load>(parts...),
+                detail::pick_all<role::Material>(parts...), Update::remaps) {
     static_assert((detail::has_solver_role<Parts> && ...),
                   "mote: a solver takes parts with a role (grid, shape, transfer, update, time step, execution, sleep, "
                   "boundary, load, material); equations of state and strengths go into a Material");
@@ -137,8 +104,7 @@ class Solver {
     static_assert(count_of<role::Update, Parts...> <= 1, "mote: a solver takes one update order");
     static_assert(count_of<role::Timestep, Parts...> <= 1, "mote: a solver takes one time step policy");
     static_assert(count_of<role::Execution, Parts...> <= 1, "mote: a solver takes one executor");
-    static_assert(((!detail::has_role<Parts, role::Sleep> || std::is_same_v<Parts, sleep::Never>)&&...),
-                  "mote: no sleep policy but sleep::Never is available yet");
+    static_assert(count_of<role::Sleep, Parts...> <= 1, "mote: a solver takes one sleep policy");
   }
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
@@ -158,36 +124,29 @@ class Solver {
   /// One step of the length that the time step policy gives, and at most `limit` seconds. \return its length, s
   double step(double limit = std::numeric_limits<double>::infinity()) {
     require(limit > 0, "a step is limited to ", limit, " s; it must be > 0");
-    const auto started = std::chrono::steady_clock::now();
-    prepare();
-    const double dt = next_dt(limit);
-    failed_ = true;  // until the step is done
-    phases_.begin(time_, dt);
-    update_(phases_);
-    time_ += dt;
-    last_dt_ = dt;
-    ++steps_;
-    phases_.check(steps_);
-    if (phases_.strayed()) sorted_ = false;  // at the start of the next step: until then nodes() is this step's
-    failed_ = false;
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-    return dt;
+    const Settled afterwards{*this};
+    return take_step(limit, false);
   }
 
   /// Steps until `run.until`, and shows the solver to each observer: at the start, whenever one is due, and at the end.
-  /// Steps land on the observers' times.
+  /// Steps land on the observers' times. All are called after each step; one that looks at particles only when it is
+  /// due may say `static constexpr bool only_when_due = true;`, and what sleeps is not brought up to date for it in
+  /// between. One that reads nodes() says `needs_nodes`: nobody sleeps in the step to its time and to `run.until`.
   template <class... Observers>
   void run(const Run& run, Observers&&... observers) {
     require(run.until > time_, "the run lasts until ", run.until, " s; it must lie after the present time, ", time_,
             " s");
+    const Settled afterwards{*this};
     prepare();
     (observers.begin(*this, run), ...);
     for (std::size_t n = 0; time_ < run.until && n < run.max_steps; ++n) {
       double due = run.until;
       ((due = std::min(due, observers.due())), ...);
-      advance_towards(due);
+      advance_towards(due, ((detail::needs_nodes<Observers> && std::min(observers.due(), run.until) <= due) || ...));
+      if (((!detail::only_when_due<Observers> || observers.due() <= time_) || ...)) settle();
       (observers.observe(*this), ...);
     }
+    settle();
     (observers.end(*this), ...);
   }
 
@@ -233,7 +192,17 @@ class Solver {
 
   const grid::Domain<D>& domain() const { return phases_.domain(); }
   const passes::Frame<T, D>& frame() const { return phases_.frame(); }
-  /// Node fields of the last step; no node has mass between a sort and the next step.
+  /// Part of the particles that were awake in the last step.
+  double active_fraction() const {
+    if constexpr (Sleep::sleeps) return phases_.sleeper().active();
+    return 1;
+  }
+  /// Calls f(velocity) for each tile that slept through the last step: what its nodes carry, which nodes() lacks.
+  template <class F>
+  void for_each_sleeping_tile(const F& f) const {
+    if constexpr (Sleep::sleeps) phases_.sleeper().for_each_sleeping(f);
+  }
+  /// Node fields of the last step, of what was awake; no node has mass between a sort and the next step.
   const grid::Blocks<T, D>& nodes() const { return phases_.blocks(); }
   /// Sums over all steps so far of what only the grid knows.
   const passes::GridLedger<D>& ledger() const { return phases_.ledger(); }
@@ -245,6 +214,37 @@ class Solver {
       std::remove_reference_t<decltype(std::declval<Solver&>().template particles<I>())>::bytes_per_particle;
 
  private:
+  /// Brings all positions up to date in the end, come what may.
+  struct Settled {
+    Solver& solver;
+    ~Settled() { solver.settle(); }
+  };
+  void settle() {
+    if constexpr (Sleep::sleeps) {
+      const detail::Timed timed{seconds_};
+      phases_.settle();
+    }
+  }
+
+  double take_step(double limit, bool everyone) {
+    const detail::Timed timed{seconds_};
+    prepare();
+    if constexpr (Sleep::sleeps)
+      if (phases_.rouse(everyone)) sort(), phases_.rouse(everyone);
+    const double dt = next_dt(limit);
+    failed_ = true;  // until the step is done
+    phases_.begin(time_, dt);
+    update_(phases_);
+    phases_.end();
+    time_ += dt;
+    last_dt_ = dt;
+    ++steps_;
+    phases_.check(steps_);
+    if (phases_.strayed()) sorted_ = false;  // at the start of the next step: until then nodes() is this step's
+    failed_ = false;
+    return dt;
+  }
+
   void prepare() {
     if (failed_)
       throw UsageError(
@@ -264,23 +264,25 @@ class Solver {
   double next_dt(double limit) {
     const double dt = timestep_(spacing(), phases_.max_speed());
     if (first_dt_ == 0) first_dt_ = dt;
-    if (!(dt > 1e-6 * first_dt_))
+    if (!(dt > 1e-6 * first_dt_)) {
+      settle();
       throw NumericalError(text("mote: the time step has collapsed to ", dt, " s in step ", steps_ + 1,
                                 " (it began with ", first_dt_, " s): a particle is much too fast or too stiff; ",
                                 phases_.describe_fastest(steps_ + 1),
                                 ". Try a smaller Courant number, update::Musl or transfer::Apic"));
+    }
     return std::min(dt, limit);
   }
 
   /// One step that lands on `due` or leaves at least half a step to it.
-  void advance_towards(double due) {
+  void advance_towards(double due, bool everyone) {
     const double left = due - time_;
     const double dt = timestep_(spacing(), phases_.max_speed());
     if (left <= dt * (1 + 1e-9)) {
-      step(left);
+      take_step(left, everyone);
       time_ = due;
     } else {
-      step(left < 2 * dt ? 0.5 * left : dt);
+      take_step(left < 2 * dt ? 0.5 * left : dt, false);
     }
   }
 };
@@ -290,7 +292,8 @@ Solver(const Parts&...) -> Solver<
     detail::First<role::Grid, detail::MissingGrid, Parts...>, detail::First<role::Shape, detail::Missing, Parts...>,
     detail::First<role::Transfer, detail::Missing, Parts...>, detail::First<role::Update, update::Usl, Parts...>,
     detail::First<role::Timestep, detail::Missing, Parts...>,
-    detail::First<role::Execution, execution::Serial, Parts...>, detail::AllOf<role::Boundary, Parts...>,
-    detail::AllOf<role::Load, Parts...>, detail::AllOf<role::Material, Parts...>>;
+    detail::First<role::Execution, execution::Serial, Parts...>, detail::First<role::Sleep, sleep::Never, Parts...>,
+    detail::AllOf<role::Boundary, Parts...>, detail::AllOf<role::Load, Parts...>,
+    detail::AllOf<role::Material, Parts...>>;
 
 }  // namespace mote

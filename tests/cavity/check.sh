@@ -39,7 +39,7 @@ bad_words() {
   refuses "--shape is 'round'; choose linear, quadratic or cubic" --shape round
   refuses "--transfer xpic is not available yet; choose flip or apic" --transfer xpic
   refuses "--update usf is not available yet; choose usl or musl" --update usf
-  refuses "--sleep on is not available yet; choose off" --sleep on
+  refuses "--sleep is 'deep'; choose on or off" --sleep deep
   refuses "--conductivity is 237; conduction is not available yet" --conductivity 237
   refuses "--fill is 'sand'; choose lattice or fraction" --fill sand
   refuses "--domain is 'half'; choose full or quarter" --domain half

@@ -278,6 +278,7 @@ struct ExecutionThatChanges {
   void for_each(std::size_t, const F&) {}
 };
 
+static_assert(Sleep<sleep::Never> && Sleep<sleep::Quiescent> && !Sleep<int>);
 static_assert(Execution<GoodExecution> && Execution<execution::Serial> && Execution<execution::Threads>);
 static_assert(!Execution<int> && !Execution<ExecutionWithoutRole> && !Execution<ExecutionWithoutConcurrency>);
 static_assert(!Execution<ExecutionWithoutLoop> && !Execution<ExecutionThatChanges>);

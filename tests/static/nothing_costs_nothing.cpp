@@ -66,6 +66,15 @@ static_assert(same<Left, Turned>);
 static_assert(!same<Left, decltype(Solver{grid::Cartesian<3>{}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{},
                                           Material{bulk, elastic, heating}})>);
 
+// where nobody sleeps nothing is stored for it, per solver, tile or particle
+using Sleepless = passes::Sleeper<sleep::Never, double, 3>;
+using Asleep = decltype(Solver{grid::Cartesian<3>{}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{},
+                               sleep::Quiescent{}, Material{bulk, elastic}});
+static_assert(std::is_empty_v<Sleepless>);
+static_assert(sizeof(passes::Tile<3>) == 48);
+static_assert(sizeof(Left) + sizeof(passes::Sleeper<sleep::Quiescent, double, 3>) == sizeof(Asleep));
+static_assert(Left::bytes_per_particle<> == Asleep::bytes_per_particle<>);
+
 // dimension and number type follow from the grid
 static_assert(Left::dimension == 3 && same<Left::number, double>);
 using Flat = decltype(Solver{grid::Cartesian<2, float>{}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{},

@@ -2,6 +2,7 @@
 /// Sparse storage of node fields in blocks of 4^D nodes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -56,6 +57,11 @@ struct Blocks {
     resize(velocity, nodes() * node_width<D>);
     resize(previous, velocity.size());
     if (with_remapped) resize(remapped, velocity.size());
+  }
+
+  /// Takes the mass of a block's nodes.
+  void empty(std::size_t block) {
+    std::fill_n(mass.data() + block * std::size_t(block_nodes<D>), block_nodes<D>, T(0));
   }
 
   /// Number of the node with these coordinates, or `none` where no block is.

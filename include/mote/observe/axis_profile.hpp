@@ -98,6 +98,7 @@ struct AxisProfile {
   Vec<double, 3> centre = {};       ///< a point on the axis, m
 
   std::vector<AxisBin> bins = {};  ///< the last profile
+  static constexpr bool only_when_due = true;
 
   template <class Solver, class Run>
   void begin(const Solver& solver, const Run& run) {

@@ -201,7 +201,7 @@ Range temperature_range(const Solver& solver) {
 
 /// Extremes of velocity component `axis` over the nodes that carry at least a tenth of a full node's mass (rho0 h^D of
 /// the lightest material that has particles; half as much on a plane, a quarter where two meet), m/s. Nodes beyond
-/// planes, which mirror those inside, do not count.
+/// planes, which mirror those inside, do not count. Nodes of what sleeps carry its velocity.
 ///
 /// The node fields are those of the last step: nan before the first one.
 template <class Solver>
@@ -236,6 +236,7 @@ Range grid_velocity_range(const Solver& solver, int axis) {
   });
   Range all;
   for (const Range& part : parts) all += part;
+  solver.for_each_sleeping_tile([&](const auto& v) { all += Range{double(v[axis]), double(v[axis])}; });
   return all;
 }
 

@@ -120,7 +120,7 @@ VoidSize measure_void(VoidComponent& cavity, const Solver& solver) {
 ///     cavity_volume_um3, _width_um, _height_um          VoidComponent; nan once it is open
 ///     kinetic_j ... viscous_j, mass_kg, momentum_z_kg_m_s, wall_impulse_z_n_s    ledger()
 ///     transfer_loss_j, energy_error                     transfer_loss(), energy_error(), since the start of the run
-///     active_fraction
+///     active_fraction                                   Solver::active_fraction(); 1 at the start
 ///
 /// One object serves one run at a time; run() begins it anew. Throws OutputError if a row cannot be written: rows
 /// before it stay.
@@ -133,6 +133,7 @@ struct History {
   std::optional<Cavity> cavity = {};
   std::function<void(const std::string&)> notice = {};  ///< is told once if the cavity opens to the outside
 
+  static constexpr bool only_when_due = true;
   std::vector<Sample> samples = {};  ///< of the run, the last one at the back
 
   template <class Solver, class Run>
@@ -173,7 +174,10 @@ struct History {
     Sample s;
     s.time = solver.time(), s.step = solver.steps();
     s.v = velocity_extremes(solver, component_, volume / copies);
-    if (nodes_are_of_step) s.v_grid = grid_velocity_range(solver, component_);
+    if (nodes_are_of_step) {
+      s.v_grid = grid_velocity_range(solver, component_);
+      s.active_fraction = solver.active_fraction();
+    }
     s.pressure = survey.pressure.range();
     s.t_max = survey.temperature.range().max;
     if constexpr (Solver::dimension == 3)

@@ -44,6 +44,7 @@ inline std::string progress_line(const ProgressState& p) {
 struct Progress {
   std::function<void(std::string)> sink = {};
   double seconds = 0.5;  ///< wall time between lines
+  static constexpr bool only_when_due = true;
 
   template <class Solver, class Run>
   void begin(const Solver& solver, const Run& run) {

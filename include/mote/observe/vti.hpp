@@ -225,6 +225,7 @@ struct Vti {
   double every = 0.5e-9;            ///< s, > 0
   std::optional<int> frames = {};   ///< instead of `every`: so many, evenly spaced, first and last included; 0: none
   std::vector<int> mirror = {};     ///< axes along which the body is completed by its image about the lower plane
+  static constexpr bool only_when_due = true;
 
   template <class Solver, class Run>
   void begin(const Solver& solver, const Run& run) {

@@ -163,6 +163,7 @@ struct Vtp {
   std::optional<int> frames = {};   ///< instead of `every`: so many, evenly spaced, first and last included; 0: none
   std::vector<int> mirror = {};     ///< axes along which the body is completed by its image about the lower plane
   bool doubles = false;             ///< Float64 instead of Float32
+  static constexpr bool only_when_due = true;
 
   template <class Solver, class Run>
   void begin(const Solver& solver, const Run& run) {

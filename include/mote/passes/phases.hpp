@@ -9,16 +9,18 @@
 
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
+#include <mote/passes/messages.hpp>
+#include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
 
 namespace mote::passes {
 
 /// The state of a computation and its phases.
-template <class Shape, class Transfer, class T, int D, class Execution, class Loads, class Materials>
+template <class Shape, class Transfer, class T, int D, class Execution, class Sleep, class Loads, class Materials>
 class Phases;
 
-template <class Shape, class Transfer, class T, int D, class Execution, class Loads, class... Materials>
-class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> {
+template <class Shape, class Transfer, class T, int D, class Execution, class Sleep, class Loads, class... Materials>
+class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials...>> {
   using Bodies = std::tuple<Body<Materials, T, D, Transfer>...>;
   static_assert(
       can_be_told_apart<Materials...>,
@@ -32,6 +34,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   Loads loads_;
   Bodies bodies_;
   Tiling<D> tiling_;
+  [[no_unique_address]] Sleeper<Sleep, T, D> sleeper_;
   Linker<T, D> linker_;
   grid::Blocks<T, D> blocks_;
   AlignedVector<T> accumulators_;
@@ -43,8 +46,8 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
 
  public:
   template <class Grid, class Boundaries>
-  Phases(const Grid& grid, const Transfer& transfer, const Execution& executor, const Boundaries& boundaries,
-         const Loads& loads, const std::tuple<Materials...>& materials, bool remaps)
+  Phases(const Grid& grid, const Transfer& transfer, const Execution& executor, const Sleep& sleep,
+         const Boundaries& boundaries, const Loads& loads, const std::tuple<Materials...>& materials, bool remaps)
       : frame_{grid.spacing, grid.origin},
         transfer_(transfer),
         executor_(executor),
@@ -55,6 +58,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
               return Bodies{{m, {}, 0, 0}...};
             },
             materials)),
+        sleeper_(sleep),
         remaps_(remaps) {
     require_distinct(materials);
   }
@@ -64,12 +68,16 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     time_ = time;
     dt_ = dt;
   }
+  /// It is done.
+  void end() {
+    if constexpr (Sleep::sleeps) sleeper_.pass(dt_);
+  }
 
   // ---- the phases
 
   /// Mass, momentum and internal force of all particles, per tile; nothing to do if the last step has done it.
   void scatter_momentum_and_force() {
-    if (!scattered_) for_each_tile([&](auto& body, std::uint32_t t) { scatter(body, t); });
+    if (!scattered_) for_each_awake_tile([&](auto& body, std::uint32_t t) { scatter(body, t); });
     scattered_ = false;
   }
 
@@ -77,10 +85,14 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   void update_grid() {
     block_ledgers_.assign(blocks_.index.size() + tiling_.plane_blocks.size(), {});
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
+      if constexpr (Sleep::sleeps)
+        if (sleeper_.idle(std::uint32_t(b))) return blocks_.empty(b);
       block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
                                            frame_, loads_, time_, dt_);
     });
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
+      if constexpr (Sleep::sleeps)
+        if (sleeper_.idle(tiling_.plane_blocks[i])) return;
       block_ledgers_[blocks_.index.size() + i] =
           hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept());
     });
@@ -111,12 +123,33 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
 
   /// Whether a particle has drifted out of its tile's reach, so that a sort is due.
   bool strayed() const {
+    if constexpr (Sleep::sleeps)
+      if (sleeper_.strayed(tiling_.tiles, frame_.spacing)) return true;
     return std::any_of(tiling_.tiles.begin(), tiling_.tiles.end(), [](const auto& t) { return t.strayed(); });
+  }
+
+  /// Decides who sleeps through the next step; nobody, if `everyone` is to wake. \return whether a sort is due first
+  bool rouse(bool everyone) requires Sleep::sleeps {
+    if (sleeper_.decide(tiling_, everyone))
+      for_each_tile(
+          [&](auto& body, std::uint32_t t) { sleeper_.template wake<Shape>(body, t, tiling_.tiles[t], frame_); });
+    return strayed();
+  }
+
+  /// Brings the positions of those who sleep up to date.
+  void settle() {
+    if constexpr (Sleep::sleeps) {
+      if (!sleeper_.unsettled()) return;
+      for_each_tile([&](auto& body, std::uint32_t t) { sleeper_.settle(body, t, tiling_.tiles[t], frame_); });
+      sleeper_.settled();
+    }
   }
 
   /// Particles into cell order, tiles, links and blocks anew.
   template <class S>
   void sort(S& sorter, std::size_t step) {
+    settle();
+    if constexpr (Sleep::sleeps) sleeper_.clear();
     tiling_.tiles.clear();
     for_each_body([&](auto& body) {
       const auto lost = [&](std::size_t p, const char* why) {
@@ -128,8 +161,11 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     blocks_.allocate(remaps_);
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
-    for_each_tile(
-        [&](auto& body, std::uint32_t t) { reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_); });
+    if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
+    for_each_tile([&](auto& body, std::uint32_t t) {
+      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_);
+      look(body, t);
+    });
     scattered_ = false;
     const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;
     reserve_amply(accumulators_, numbers);
@@ -183,6 +219,7 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
   const GridLedger<D>& ledger() const { return ledger_; }
   const Execution& executor() const { return executor_; }
   const Tiling<D>& tiling() const { return tiling_; }
+  const Sleeper<Sleep, T, D>& sleeper() const { return sleeper_; }
 
   template <class M>
   static constexpr bool holds = (std::is_same_v<M, Materials> || ...);
@@ -231,41 +268,30 @@ class Phases<Shape, Transfer, T, D, Execution, Loads, std::tuple<Materials...>> 
     });
   }
 
-  template <Task task>
-  void gather_all() {
+  template <class F>
+  void for_each_awake_tile(const F& f) {
     for_each_tile([&](auto& body, std::uint32_t t) {
-      const TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_,
-                                                    dt_, accumulators_.data());
-      if constexpr (task != Task::velocity_and_remap) {
-        reports_[t] = r;
-      }
+      if constexpr (Sleep::sleeps)
+        if (sleeper_.asleep(t)) return;
+      f(body, t);
     });
   }
 
   template <class B>
-  std::string describe(const B& body, std::size_t p, std::size_t step) const {
-    return text("particle ", body.particles.template column<field::Id>()[p], " at (",
-                listed(body.particles.template get<field::Position>(p)), ") m, in step ", step);
+  void look(const B& body, std::uint32_t t) {
+    if constexpr (Sleep::sleeps) sleeper_.template look<Shape>(body, t, tiling_.tiles[t], frame_);
   }
-  static std::string listed(const Vec<T, D>& v) {
-    std::string all;
-    for (int a = 0; a < D; ++a) all += text(a ? ", " : "", v[a]);
-    return all;
-  }
-  template <class B>
-  std::string describe_lost(const B& body, std::size_t p, const char* why, std::size_t step) const {
-    return text("mote: ", describe(body, p, step), ", ", why,
-                ". Try a smaller Courant number, update::Musl or transfer::Apic, or look at the frames before");
-  }
-  template <class B>
-  std::string describe_failed(const B& body, std::size_t p, std::size_t step) const {
-    const Vec<T, D> v = body.particles.template get<field::Velocity>(p);
-    if (!std::isfinite(norm(v)))
-      return text("mote: ", describe(body, p, step), ", has the velocity (", listed(v),
-                  ") m/s. Try a smaller Courant number, update::Musl or transfer::Apic");
-    return text(
-        "mote: ", describe(body, p, step), ", has V/V0 = ", body.particles.template column<field::VolumeRatio>()[p],
-        ", which its equation of state does not cover. Try a smaller Courant number, a finer grid or a lower speed");
+
+  template <Task task>
+  void gather_all() {
+    for_each_awake_tile([&](auto& body, std::uint32_t t) {
+      const TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_,
+                                                    dt_, accumulators_.data());
+      if constexpr (task != Task::velocity_and_remap) {
+        reports_[t] = r;
+        look(body, t);
+      }
+    });
   }
 };
 

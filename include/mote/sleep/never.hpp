@@ -9,6 +9,7 @@ namespace mote::sleep {
 /// Every particle is updated in every step.
 struct Never {
   using role = mote::role::Sleep;
+  static constexpr bool sleeps = false;
 };
 
 }  // namespace mote::sleep
