@@ -11,6 +11,7 @@
 #include <mote/core/error.hpp>
 #include <mote/core/field.hpp>
 #include <mote/core/pack.hpp>
+#include <mote/core/rearrange.hpp>
 #include <mote/core/role.hpp>
 #include <mote/core/tensor.hpp>
 #include <mote/core/vec.hpp>

@@ -240,7 +240,7 @@ class Solver {
     last_dt_ = dt;
     ++steps_;
     phases_.check(steps_);
-    if (phases_.strayed()) sorted_ = false;  // at the start of the next step: until then nodes() is this step's
+    if (phases_.sort_due()) sorted_ = false;  // at the start of the next step: until then nodes() is this step's
     failed_ = false;
     return dt;
   }

@@ -104,7 +104,8 @@ struct Scene {
     for (int c = 0; c < D; ++c) {
       const auto i = std::size_t(c);
       sums[i].value = columns.value(0, c);
-      for (int a = 0; a < D; ++a) sums[i].slope[a] = columns.slope(0, c, a), sums[i].moment[a] = columns.moment(0, c, a);
+      for (int a = 0; a < D; ++a)
+        sums[i].slope[a] = columns.slope(0, c, a), sums[i].moment[a] = columns.moment(0, c, a);
     }
     return sums;
   }
@@ -195,7 +196,8 @@ TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradie
           RC_ASSERT(near(sums[std::size_t(c)].value[l], scene.xi[c][l], 8));
           for (int a = 0; a < D; ++a) {
             RC_ASSERT(near(sums[std::size_t(c)].slope[a][l], a == c, 8));
-            if (a != c || S::inertia > 0) RC_ASSERT(near(sums[std::size_t(c)].moment[a][l], a == c ? S::inertia : 0, 32));
+            if (a != c || S::inertia > 0)
+              RC_ASSERT(near(sums[std::size_t(c)].moment[a][l], a == c ? S::inertia : 0, 32));
           }
         }
     }));

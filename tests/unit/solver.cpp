@@ -213,3 +213,22 @@ TEST_CASE("bodies of two materials meet on one grid", "[solver]") {
   std::sort(ids.begin(), ids.end());
   for (std::uint32_t i = 0; i < ids.size(); ++i) CHECK(ids[i] == i);
 }
+
+TEST_CASE("a sort is due once disorder has cost as much as one", "[solver]") {
+  const Material dust{eos::LinearBulk{.rho0 = 1, .bulk_modulus = 1e-30}};
+  const auto sorts_after = [&](double shear) {
+    Solver solver{grid::Cartesian<3>{.spacing = 1}, shape::QuadraticBSpline{}, transfer::Apic{},
+                  timestep::Fixed{.dt = 0.01}, dust};
+    solver.fill(geometry::Box<3>{.lower = {0, 0, 0}, .upper = {4, 4, 4}}, dust,
+                {.velocity =
+                     [=](const Vec<double, 3>& x) {
+                       return Vec<double, 3>{shear * x[1], 0, 0};
+                     },
+                 .jitter = 0.5});
+    for (int i = 0; i < 90; ++i) solver.step();
+    return solver.sorts();
+  };
+  CHECK(sorts_after(0) == 1);
+  CHECK(sorts_after(0.25) > 1);  // nobody moves by a cell, but half of them change theirs
+  CHECK(sorts_after(0.25) < 10);
+}

@@ -58,11 +58,10 @@ struct StaggeredAllocator {
   StaggeredAllocator(const StaggeredAllocator<U>& other) : lead(other.lead) {}
 
   T* allocate(std::size_t n) {
-    return reinterpret_cast<T*>(static_cast<char*>(::operator new(n * sizeof(T) + lead, std::align_val_t(4096))) + lead);
+    return reinterpret_cast<T*>(static_cast<char*>(::operator new(n * sizeof(T) + lead, std::align_val_t(4096))) +
+                                lead);
   }
-  void deallocate(T* p, std::size_t) {
-    ::operator delete(reinterpret_cast<char*>(p) - lead, std::align_val_t(4096));
-  }
+  void deallocate(T* p, std::size_t) { ::operator delete(reinterpret_cast<char*>(p) - lead, std::align_val_t(4096)); }
   friend bool operator==(const StaggeredAllocator& a, const StaggeredAllocator& b) { return a.lead == b.lead; }
 
   using propagate_on_container_move_assignment = std::true_type;

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <concepts>
-#include <tuple>
 #include <cstring>
+#include <tuple>
 #include <vector>
 
 #include <mote/core/error.hpp>
+#include <mote/core/rearrange.hpp>
 #include <mote/core/role.hpp>
 #include <mote/particles/particles.hpp>
 #include <mote/passes/tiles.hpp>
@@ -80,6 +81,8 @@ struct TileReport {
   static constexpr std::uint32_t fine = ~std::uint32_t(0);
   double max_speed = 0;         ///< max (c + |v|), m/s
   std::uint32_t failed = fine;  ///< first particle that is no number or beyond its equation of state
+  std::uint32_t windows = 0;    ///< that its gather took (passes/batch.hpp)
+  std::uint32_t fresh = 0;      ///< the same when it was last sorted
 };
 
 /// Positions in cells from the first node of a tile's block: small numbers, with the error of x alone.

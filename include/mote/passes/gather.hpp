@@ -27,20 +27,21 @@ struct NodeFields {
             const NodeBox<D>& box) {
     for (std::uint32_t k = tile.links_begin; k < tile.links_end; ++k) {
       const std::size_t block = std::size_t(links[k].block) * grid::block_nodes<D>;
-      for_each_row(links[k], box, [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
-        const std::size_t from = (block + std::size_t(in_block)) * half;
-        const std::ptrdiff_t to = std::ptrdiff_t(in_box) * half;
-        unrolled<count>([&](auto n) __attribute__((always_inline)) {
-          constexpr int i = n * half;
-          using Half = Simd<T, half>;
-          const Half v = read<Half>(blocks.velocity.data() + from + i);
-          write(v, velocity + to + i);
-          if constexpr (task == Task::deform)
-            write(read<Half>(blocks.remapped.data() + from + i), second + to + i);
-          else if constexpr (Transfer::increment)
-            write(Half(v - read<Half>(blocks.previous.data() + from + i)), second + to + i);
-        });
-      });
+      for_each_row(
+          links[k], box, [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
+            const std::size_t from = (block + std::size_t(in_block)) * half;
+            const std::ptrdiff_t to = std::ptrdiff_t(in_box) * half;
+            unrolled<count>([&](auto n) __attribute__((always_inline)) {
+              constexpr int i = n * half;
+              using Half = Simd<T, half>;
+              const Half v = read<Half>(blocks.velocity.data() + from + i);
+              write(v, velocity + to + i);
+              if constexpr (task == Task::deform)
+                write(read<Half>(blocks.remapped.data() + from + i), second + to + i);
+              else if constexpr (Transfer::increment)
+                write(Half(v - read<Half>(blocks.previous.data() + from + i)), second + to + i);
+            });
+          });
     }
   }
 };
@@ -60,8 +61,8 @@ class BatchSums {
   /// \return the number of windows
   [[gnu::always_inline]] int gather(const NodeFields<T, D, Shape>& nodes, const NodeBox<D>& box,
                                     const BatchNodes<Shape, T, D>& at) {
-    return at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits, bool some)
-                                  __attribute__((always_inline)) {
+    return at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits,
+                                  bool some) __attribute__((always_inline)) {
       const std::ptrdiff_t at_node = std::ptrdiff_t(node) * grid::node_width<D>;
       const auto put = [&](auto& to, int c, const Sums<T, D>& sums) __attribute__((always_inline)) {
         if (some)
@@ -69,7 +70,8 @@ class BatchSums {
         else
           to.template put<false>(i, c, sums, bits);
       };
-      for (int c = 0; c < D; ++c) put(velocity_, c, passes::gather<of_velocity>(nodes.velocity + at_node, c, box, stencil));
+      for (int c = 0; c < D; ++c)
+        put(velocity_, c, passes::gather<of_velocity>(nodes.velocity + at_node, c, box, stencil));
       if constexpr (has_second)
         for (int c = 0; c < D; ++c) put(second_, c, passes::gather<of_second>(nodes.second + at_node, c, box, stencil));
     });
@@ -203,6 +205,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   // A batch gathers, then the same particles move: the long chains of the material's divisions overlap.
   BatchNodes<Shape, T, D> at;
   BatchSums<task, Shape, Transfer, T, D> sums;
+  int windows = 0;
   for_each_batch(tile, [&](std::size_t begin, int count) {
     at.clear();
     for (int i = 0; i < count; i += lanes) {
@@ -211,7 +214,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
       body.particles.load(begin + std::size_t(i), n, p);
       at.append(in_tile.in_cells(get<field::Position>(p)), box, n);
     }
-    sums.gather(nodes, box, at);
+    windows += sums.gather(nodes, box, at);
     for (int i = 0; i < count; i += lanes) {
       const std::size_t first = begin + std::size_t(i);
       const int n = std::min(lanes, count - i);
@@ -234,7 +237,9 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
     }
   });
   if constexpr (moves) range.put(tile);
-  return reporter.of(body, tile);
+  TileReport report = reporter.of(body, tile);
+  report.windows = std::uint32_t(windows);
+  return report;
 }
 
 /// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.

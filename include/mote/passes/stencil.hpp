@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <mote/core/field.hpp>
+#include <mote/core/rearrange.hpp>
 #include <mote/grid/blocks.hpp>
 #include <mote/passes/tiles.hpp>
 
@@ -69,6 +70,11 @@ struct LowestNodes {
 template <class T, int D>
 struct Sums {
   Pack<T> value, slope[D], moment[D];
+
+  void clear() {
+    value = T(0);
+    for (int a = 0; a < D; ++a) slope[a] = moment[a] = Pack<T>(T(0));
+  }
 };
 
 /// Which sums are wanted.
@@ -78,30 +84,36 @@ struct Wanted {
 
 /// Sums over the nodes of one cell's particles along the axes from A on. Moments are about the middle node.
 template <Wanted W, int A, class T, int D, class Shape>
-[[gnu::always_inline]] inline Sums<T, D> contract(const T* at, const IVec<D>& stride,
-                                                  const Stencil<T, D, Shape>& s) {
+[[gnu::always_inline]] inline Sums<T, D> contract(const T* at, const IVec<D>& stride, const Stencil<T, D, Shape>& s) {
   Sums<T, D> sum;
   if constexpr (A == D) {
     sum.value = Pack<T>(*at);
   } else {
-    constexpr int middle = Stencil<T, D, Shape>::middle, first_moment = middle == 0 ? 1 : 0;
-    unrolled<Shape::support>([&](auto i) __attribute__((always_inline)) {
+    const auto add_node = [&](auto i, auto first) __attribute__((always_inline)) {
       const Sums<T, D> inner = contract<W, A + 1>(at + i * stride[A], stride, s);
-      const auto add = [&](Pack<T>& to, const Pack<T>& term) __attribute__((always_inline)) {
-        to = i == 0 ? term : Pack<T>(to + term);
+      const auto add = [&](Pack<T> & to, const Pack<T>& term) __attribute__((always_inline)) {
+        to = first ? term : Pack<T>(to + term);
       };
       const Pack<T> weighted = s.value[A][i] * inner.value;
       add(sum.value, weighted);
       if constexpr (W.slopes) add(sum.slope[A], s.slope[A][i] * inner.value);
-      if constexpr (W.moments && i != middle) {
-        const Pack<T> moment = i == middle + 1 ? weighted : Pack<T>(T(i - middle) * weighted);
-        sum.moment[A] = i == first_moment ? moment : Pack<T>(sum.moment[A] + moment);
+      if constexpr (W.moments) {
+        const int arm = i - Stencil<T, D, Shape>::middle;
+        if (arm != 0) add(sum.moment[A], arm == 1 ? weighted : Pack<T>(T(arm) * weighted));
       }
       for (int b = A + 1; b < D; ++b) {
         if constexpr (W.slopes) add(sum.slope[b], s.value[A][i] * inner.slope[b]);
         if constexpr (W.moments) add(sum.moment[b], s.value[A][i] * inner.moment[b]);
       }
-    });
+    };
+    if constexpr (A == 0 && D == 3) {  // a loop: unrolled too, the code would not fit
+      sum.clear();
+      for (int i = 0; i < Shape::support; ++i) add_node(i, std::false_type{});
+    } else {
+      if constexpr (W.moments && Stencil<T, D, Shape>::middle == 0) sum.moment[A] = Pack<T>(T(0));
+      unrolled<Shape::support>([&](auto i)
+                                   __attribute__((always_inline)) { add_node(i, std::bool_constant<i == 0>{}); });
+    }
   }
   return sum;
 }

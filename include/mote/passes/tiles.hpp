@@ -108,10 +108,14 @@ template <int D, class F>
   };
   static_assert(grid::block_edge == 4);
   switch (to[z] - from[z]) {
-    case 1: return rows(std::integral_constant<int, 1>{});
-    case 2: return rows(std::integral_constant<int, 2>{});
-    case 3: return rows(std::integral_constant<int, 3>{});
-    default: return rows(std::integral_constant<int, 4>{});
+    case 1:
+      return rows(std::integral_constant<int, 1>{});
+    case 2:
+      return rows(std::integral_constant<int, 2>{});
+    case 3:
+      return rows(std::integral_constant<int, 3>{});
+    default:
+      return rows(std::integral_constant<int, 4>{});
   }
 }
 
