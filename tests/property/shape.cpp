@@ -93,7 +93,7 @@ struct Scene {
       for (int c = 0; c < D; ++c) field[std::size_t(n * width + c)] = f(n, c);
     constexpr passes::Wanted everything{true, true};
     passes::BatchNodes<S, T, D> nodes;
-    nodes.append(xi, box, lanes);
+    nodes.append(xi, box);
     passes::SumColumns<everything, T, D> columns;
     nodes.for_each_window([&](int i, int node, const auto& stencil, unsigned bits, bool) {
       for (int c = 0; c < D; ++c)

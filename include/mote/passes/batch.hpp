@@ -64,15 +64,16 @@ class BatchNodes {
  public:
   void clear() { count_ = 0; }
 
-  /// Appends n particles. \param xi positions in cells, relative to the first node of the tile's block
-  [[gnu::always_inline]] void append(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box, int n) {
+  /// Appends a pack; surplus lanes repeat its last particle, and gather what that one does.
+  /// \param xi positions in cells, relative to the first node of the tile's block
+  [[gnu::always_inline]] void append(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
     const LowestNodes<Shape, T, D> at(xi, box);
     for (int a = 0; a < D; ++a) {
       write(xi[a], xi_[a] + count_);
       write(at.base[a], base_[a] + count_);
     }
     for (int l = 0; l < lanes; ++l) node_[count_ + l] = at.node[l];
-    count_ += n;
+    count_ += lanes;
   }
 
   /// Calls f(particle, its lowest node's number, stencil, bits, some) for windows of eight particles that cover the

@@ -210,9 +210,8 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
     at.clear();
     for (int i = 0; i < count; i += lanes) {
       Values<Pack<T>, D, fields<field::Position>> p;
-      const int n = std::min(lanes, count - i);
-      body.particles.load(begin + std::size_t(i), n, p);
-      at.append(in_tile.in_cells(get<field::Position>(p)), box, n);
+      body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
+      at.append(in_tile.in_cells(get<field::Position>(p)), box);
     }
     windows += sums.gather(nodes, box, at);
     for (int i = 0; i < count; i += lanes) {
