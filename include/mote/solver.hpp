@@ -268,7 +268,7 @@ class Solver {
       settle();
       throw NumericalError(text("mote: the time step has collapsed to ", dt, " s in step ", steps_ + 1,
                                 " (it began with ", first_dt_, " s): a particle is much too fast or too stiff; ",
-                                phases_.describe_fastest(steps_ + 1),
+                                passes::describe_fastest(phases_, steps_ + 1),
                                 ". Try a smaller Courant number, update::Musl or transfer::Apic"));
     }
     return std::min(dt, limit);

@@ -404,6 +404,23 @@ TEST_CASE("sleep: what a host writes wakes after refresh", "[sleep]") {
   });
 }
 
+TEST_CASE("sleep: one disturbed particle wakes the neighbours of its tile, whichever of the tile's it is", "[sleep]") {
+  const auto all_velocities = [](const auto& sleep) {
+    auto solver = solver_with<schemes::QuadraticApicUsl>(sleep);
+    solver.fill(geometry::Box<3>{.lower = {0, 0, 0}, .upper = {24 * h, 8 * h, 8 * h}}, aluminium, {});
+    solver.step();
+    auto p = solver.particles().template column<field::Position>(0);
+    std::size_t last = 0;  // the last in the columns of those near the middle: not the first of its tile
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (std::abs(p[i] - 12 * h) < 1.5 * h) last = i;
+    solver.particles().template column<field::Velocity>(0)[last] += 50;
+    solver.refresh();
+    for (int i = 0; i < 6; ++i) solver.step();
+    return by_id<field::Velocity>(solver);
+  };
+  CHECK(largest_difference(all_velocities(sleep::Quiescent{}), all_velocities(sleep::Never{})) < 1e-6 * 50);
+}
+
 TEST_CASE("sleep: the tolerance is positive", "[sleep]") {
   CHECK_THROWS_WITH(solver_with<QuadraticApicUsl>(sleep::Quiescent{.tolerance = 0}),
                     ContainsSubstring("the tolerance of sleep is 0; it must be > 0"));

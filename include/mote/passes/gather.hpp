@@ -228,7 +228,8 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
         reporter.include(material, p);
         range.template include<Shape>(in_tile.in_cells(x));
       } else {
-        const auto brought = Momentum<T, D>(p, spacing, transfer);
+        Momentum<T, D> brought;
+        brought.template add_momentum<Transfer>(p, spacing);
         scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(
             remapped, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
       }
@@ -244,13 +245,14 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
 /// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.
 template <class Shape, class B, class T, int D>
 [[gnu::flatten]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
+  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
   Reporter<T> reporter;
   Range<D> range;
   for_each_pack(tile, [&](std::size_t first, int n) {
     Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, particle_fields_of<typename B::Material>>> p;
     body.particles.load(first, n, p);
     reporter.include(body.material, p);
-    range.template include<Shape>(frame.of_block(tile.block).in_cells(get<field::Position>(p)));
+    range.template include<Shape>(in_tile.in_cells(get<field::Position>(p)));
   });
   range.put(tile);
   return reporter.of(body, tile);

@@ -39,4 +39,22 @@ std::string describe_failed(const B& body, std::size_t p, std::size_t step) {
       ", which its equation of state does not cover. Try a smaller Courant number, a finer grid or a lower speed");
 }
 
+/// The fastest particle of all bodies.
+template <class Phases>
+std::string describe_fastest(const Phases& phases, std::size_t step) {
+  std::string found;
+  double largest = -1;
+  phases.for_each_body([&](const auto& body) {
+    for (std::size_t p = 0; p < body.particles.size(); ++p) {
+      const double v = double(norm(body.particles.template get<field::Velocity>(p)));
+      if (v > largest || v != v) {
+        largest = v;
+        found = text(describe(body, p, step), " moves at ", v, " m/s");
+      }
+      if (v != v) return;
+    }
+  });
+  return found;
+}
+
 }  // namespace mote::passes

@@ -89,14 +89,12 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   void update_grid() {
     block_ledgers_.assign(blocks_.index.size() + tiling_.plane_blocks.size(), {});
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
-      if constexpr (Sleep::sleeps)
-        if (sleeper_.idle(std::uint32_t(b))) return blocks_.empty(b);
+      if (idle(b)) return blocks_.empty(b);
       block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
                                            frame_, loads_, time_, dt_);
     });
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
-      if constexpr (Sleep::sleeps)
-        if (sleeper_.idle(tiling_.plane_blocks[i])) return;
+      if (idle(tiling_.plane_blocks[i])) return;
       block_ledgers_[blocks_.index.size() + i] =
           hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept());
     });
@@ -112,10 +110,10 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// The velocity field of the remapped momentum, within the boundaries.
   void constrain_remapped() {
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
-      remap_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
+      if (!idle(b)) remap_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
     });
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
-      hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
+      if (!idle(tiling_.plane_blocks[i])) hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
     });
   }
 
@@ -132,8 +130,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   }
 
   /// Whether a sort is due: because a particle has strayed, or because it pays. Particles that left their cells cost
-  /// windows; once these have cost as much as a sort, one is worth it. A window costs about 3.4 ns per node of the
-  /// kernel and a sort 50 ns per particle (measured with quadratic splines); the rule is never off by more than two.
+  /// windows; a sort is due when these have cost as much as a sort since the last one. A window costs about 3.4 ns per
+  /// node of the kernel and a sort 50 ns per particle (measured with quadratic splines), hence 15.
   bool sort_due() const {
     constexpr int nodes = D == 1 ? Shape::support : (D == 2 ? 1 : Shape::support) * Shape::support * Shape::support;
     return disorder_ * nodes > 15 * double(size()) || strayed();
@@ -185,8 +183,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     if (std::any_of(tiling_.tiles.begin(), tiling_.tiles.end(), [](const auto& t) { return t.unlinked(); }))
       throw NumericalError(
           "mote: the number type does not resolve positions to a cell; put the grid's origin nearer to the particles, "
-          "or "
-          "take double");
+          "or take double");
     check(step);
   }
 
@@ -203,23 +200,6 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     double s = 0;
     for (const auto& r : reports_) s = std::max(s, r.max_speed);
     return s;
-  }
-
-  /// The fastest particle, for a message.
-  std::string describe_fastest(std::size_t step) const {
-    std::string found;
-    double largest = -1;
-    for_each_body([&](const auto& body) {
-      for (std::size_t p = 0; p < body.particles.size(); ++p) {
-        const double v = double(norm(body.particles.template get<field::Velocity>(p)));
-        if (v > largest || v != v) {
-          largest = v;
-          found = text(describe(body, p, step), " moves at ", v, " m/s");
-        }
-        if (v != v) return;
-      }
-    });
-    return found;
   }
 
   // ---- what others may look at
@@ -275,17 +255,19 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   }
 
   bool awake(std::uint32_t tile) const {
-    if constexpr (Sleep::sleeps)
-      return !sleeper_.asleep(tile);
-    else
-      return true;
+    if constexpr (Sleep::sleeps) return !sleeper_.asleep(tile);
+    return true;
+  }
+  /// Whether nobody who is awake can reach a block.
+  bool idle(std::size_t block) const {
+    if constexpr (Sleep::sleeps) return sleeper_.idle(std::uint32_t(block));
+    return false;
   }
 
   template <class F>
   void for_each_awake_tile(const F& f) {
     for_each_tile([&](auto& body, std::uint32_t t) {
-      if (!awake(t)) return;
-      f(body, t);
+      if (awake(t)) f(body, t);
     });
   }
 

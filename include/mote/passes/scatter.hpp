@@ -8,14 +8,14 @@
 
 namespace mote::passes {
 
-/// Records of a tile's nodes: momentum and force in turns, then the mass, [p_x f_x p_y f_y p_z f_z m 0]; and what the
-/// particles of a pack bring to them.
-template <class T, int D>
-struct MomentumAndForce {
-  static constexpr int width = 2 * grid::node_width<D>;
+/// What the particles of a pack bring to their nodes: component i of the momentum at number i * n of a record, n fields
+/// in turns.
+template <class T, int D, int n>
+struct Records {
+  static constexpr int width = n * grid::node_width<D>;
   Pack<T> value[width], axis[D][width];
 
-  MomentumAndForce() {
+  Records() {
     for (auto& c : value) c = T(0);
     for (auto& a : axis)
       for (auto& c : a) c = T(0);
@@ -23,43 +23,31 @@ struct MomentumAndForce {
   template <class Transfer, class V>
   void add_momentum(const V& p, double spacing) {
     const Pack<T> m = get<field::Mass>(p);
-    value[2 * D] = m;
-    for (int i = 0; i < D; ++i) value[2 * i] = m * get<field::Velocity>(p)[i];
+    for (int i = 0; i < D; ++i) value[n * i] = m * get<field::Velocity>(p)[i];
     if constexpr (Transfer::affine) {
       const Pack<T> mh = m * T(spacing);
       for (int a = 0; a < D; ++a)
-        for (int i = 0; i < D; ++i) axis[a][2 * i] = mh * get<field::Affine>(p)(i, a);
+        for (int i = 0; i < D; ++i) axis[a][n * i] = mh * get<field::Affine>(p)(i, a);
     }
-  }
-  /// -V sigma/h, which takes the slope weights.
-  template <class M, class V>
-  void add_force(const M& material, const V& p, double spacing) {
-    const SymTensor<Pack<T>> stress = material.stress(p);
-    const Pack<T> volume_over_h =
-        get<field::Mass>(p) * get<field::VolumeRatio>(p) * T(-1 / (material.rho0() * spacing));
-    for (int a = 0; a < D; ++a)
-      for (int i = 0; i < D; ++i) axis[a][2 * i + 1] = volume_over_h * stress(i, a);
   }
 };
 
-/// Records [p_x p_y p_z 0] of the particles' new momenta.
+/// [p_x p_y p_z 0].
 template <class T, int D>
-struct Momentum {
-  static constexpr int width = grid::node_width<D>;
-  Pack<T> value[width], axis[D][width];
+using Momentum = Records<T, D, 1>;
 
-  template <class Transfer, class V>
-  Momentum(const V& p, double spacing, const Transfer&) {
-    for (auto& c : value) c = T(0);
-    for (auto& a : axis)
-      for (auto& c : a) c = T(0);
+/// [p_x f_x p_y f_y p_z f_z m 0].
+template <class T, int D>
+struct MomentumAndForce : Records<T, D, 2> {
+  /// The mass, and -V sigma/h, which takes the slope weights.
+  template <class M, class V>
+  void add_mass_and_force(const M& material, const V& p, double spacing) {
     const Pack<T> m = get<field::Mass>(p);
-    for (int i = 0; i < D; ++i) value[i] = m * get<field::Velocity>(p)[i];
-    if constexpr (Transfer::affine) {
-      const Pack<T> mh = m * T(spacing);
-      for (int a = 0; a < D; ++a)
-        for (int i = 0; i < D; ++i) axis[a][i] = mh * get<field::Affine>(p)(i, a);
-    }
+    this->value[2 * D] = m;
+    const SymTensor<Pack<T>> stress = material.stress(p);
+    const Pack<T> volume_over_h = m * get<field::VolumeRatio>(p) * T(-1 / (material.rho0() * spacing));
+    for (int a = 0; a < D; ++a)
+      for (int i = 0; i < D; ++i) this->axis[a][2 * i + 1] = volume_over_h * stress(i, a);
   }
 };
 
@@ -112,7 +100,7 @@ template <class Shape, class Transfer, class B, class T, int D>
     body.particles.load(first, n, p);
     MomentumAndForce<T, D> brought;
     brought.template add_momentum<Transfer>(p, spacing);
-    brought.add_force(material, p, spacing);
+    brought.add_mass_and_force(material, p, spacing);
     scatter_pack<Shape, kind>(nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
   });
 }

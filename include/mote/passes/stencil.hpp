@@ -5,7 +5,7 @@
 /// a node's number is spread over all of them. To scatter, the lanes are the numbers of a node's record.
 #pragma once
 
-#include <array>
+#include <type_traits>
 #include <utility>
 
 #include <mote/core/field.hpp>
@@ -169,16 +169,7 @@ struct Contribution {
 /// The node that gets what is left of a sum over all nodes when the others have had their part, or -1. The weights sum
 /// to one, so the sum itself takes no weight at all; what is left is accurate where its weight is never small.
 template <class Shape>
-inline constexpr int rest = Shape::support > 2 ? (Shape::support - 1) / 2 : -1;
-
-/// Calls f(i) for all nodes of an axis, the one that gets the rest last.
-template <class Shape, class F>
-[[gnu::always_inline]] inline void rest_last(F&& f) {
-  unrolled<Shape::support>([&](auto i) __attribute__((always_inline)) {
-    if constexpr (i != rest<Shape>) f(i);
-  });
-  if constexpr (rest<Shape> >= 0) f(std::integral_constant<int, rest<Shape>>{});
-}
+inline constexpr int rest = Shape::support > 2 ? Stencil<double, 1, Shape>::middle : -1;
 
 /// Adds, for the particles from `first` to `last`, which share their nodes, w value + sum_a u_a axis[a] to the records
 /// of those nodes; `at` is the lowest.

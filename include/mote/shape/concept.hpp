@@ -16,6 +16,9 @@ namespace mote {
 /// S::inertia             sum_i w_i (i - f)^2 where it does not depend on f, else 0 (D = inertia h^2 of APIC)
 /// S::values(f, w)        w[i], i < support: the kernel at node b + i
 /// S::slopes(f, d)        d[i] = d w[i]/d xi
+///
+/// The weights sum to one and reproduce linear functions, sum_i w_i (i - f) = 0: the scatter gives the middle node of
+/// three or more what the others leave, so its weight must not be small where the sum is not.
 template <class S>
 concept Shape = HasRole<S, role::Shape> && requires(double f, double* out) {
   { S::support } -> std::convertible_to<int>;
