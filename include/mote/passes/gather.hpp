@@ -179,9 +179,10 @@ class Reporter {
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
 /// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
 template <Task task, class Shape, class Transfer, class B, class T, int D>
-[[gnu::flatten]] TileReport gather_tile(B& body, const Transfer& transfer_, Tile<D>& tile,
-                                        const std::vector<Link<D>>& links, const grid::Blocks<T, D>& blocks,
-                                        const Frame<T, D>& frame, double dt, T* accumulators) {
+[[gnu::flatten, gnu::noinline]] TileReport gather_tile(B& body, const Transfer& transfer_, Tile<D>& tile,
+                                                       const std::vector<Link<D>>& links,
+                                                       const grid::Blocks<T, D>& blocks, const Frame<T, D>& frame,
+                                                       double dt, T* accumulators) {
   constexpr bool moves = task != Task::velocity_and_remap, takes_velocity = task != Task::deform;
   constexpr int remap_width = Momentum<T, D>::width;
   const NodeBox<D> box(tile, Shape::support);
@@ -244,7 +245,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
 
 /// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.
 template <class Shape, class B, class T, int D>
-[[gnu::flatten]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
+[[gnu::flatten, gnu::noinline]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
   const TileFrame<T, D> in_tile = frame.of_block(tile.block);
   Reporter<T> reporter;
   Range<D> range;

@@ -36,13 +36,14 @@ bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulato
     const Link<D>& link = tiling.links[tiling.block_links[k]];
     const Tile<D>& tile = tiling.tiles[link.tile];
     const T* from = accumulators + tile.buffer * width;
-    for_each_row(link, NodeBox<D>(tile, support), [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
-      touched = true;
-      unrolled<count>([&](auto i) __attribute__((always_inline)) {
-        T* to = sums + (in_block + i) * width;
-        write(Record(read<Record>(to) + read<Record>(from + std::ptrdiff_t(in_box + i) * width)), to);
-      });
-    });
+    for_each_row(
+        link, NodeBox<D>(tile, support), [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
+          touched = true;
+          unrolled<count>([&](auto i) __attribute__((always_inline)) {
+            T* to = sums + (in_block + i) * width;
+            write(Record(read<Record>(to) + read<Record>(from + std::ptrdiff_t(in_box + i) * width)), to);
+          });
+        });
   }
   return touched;
 }
@@ -64,9 +65,9 @@ Vec<T, D> load_gain(const IVec<D>& node, const Frame<T, D>& frame, const Loads& 
 
 /// v_old = p/m and v = v_old + dt (f/m + b) on a block's nodes, before any plane.
 template <class T, int D, class Loads>
-GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
-                               grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, const Loads& loads, double time,
-                               double dt) {
+[[gnu::noinline]] GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators,
+                                                 int support, grid::Blocks<T, D>& blocks, const Frame<T, D>& frame,
+                                                 const Loads& loads, double time, double dt) {
   constexpr int half = grid::node_width<D>, width = MomentumAndForce<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
   GridLedger<D> ledger;
@@ -108,8 +109,8 @@ GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, con
 /// the whole body at a symmetry plane, and as the particles brought it at a wall, so that FLIP feels the wall.
 /// \param kept the part of its own velocity that a particle keeps (Transfer)
 template <class T, int D>
-GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                             int support, double kept) {
+[[gnu::noinline]] GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks,
+                                               const grid::Domain<D>& domain, int support, double kept) {
   GridLedger<D> ledger;
   Images<D> images;
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
@@ -141,8 +142,8 @@ GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks, co
 
 /// The velocity field that the particles' new momenta make, before any plane.
 template <class T, int D>
-void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
-                 grid::Blocks<T, D>& blocks) {
+[[gnu::noinline]] void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
+                                   grid::Blocks<T, D>& blocks) {
   constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
   sum_tiles<width>(block, tiling, accumulators, support, sums);
@@ -157,7 +158,8 @@ void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumula
 
 /// Holds the remapped velocities to the planes.
 template <class T, int D>
-void hold_remapped(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support) {
+[[gnu::noinline]] void hold_remapped(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
+                                     int support) {
   Images<D> images;
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;

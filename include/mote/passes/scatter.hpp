@@ -81,9 +81,11 @@ template <class Shape, AxisWeights Kind, class T, int D, int width>
 /// m_i = sum w m, p_i = sum w m (v + C (x_i - x_p)), f_i = -sum V sigma grad w for one tile.
 ///
 /// Flattened, like the other passes over tiles: a pack that is handed over in memory costs more than what is done to
-/// it.
+/// it. And one function for all executors: copies that are inlined into each may fuse other multiplications with
+/// additions, and then differ in the last bit.
 template <class Shape, class Transfer, class B, class T, int D>
-[[gnu::flatten]] void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame, T* accumulators) {
+[[gnu::flatten, gnu::noinline]] void scatter_tile(const B& body, const Tile<D>& tile, const Frame<T, D>& frame,
+                                                  T* accumulators) {
   constexpr int width = MomentumAndForce<T, D>::width;
   constexpr auto kind = Transfer::affine ? AxisWeights::moment_slope : AxisWeights::slope;
   const NodeBox<D> box(tile, Shape::support);

@@ -88,7 +88,8 @@ class Sleeper<Policy, T, D, true> {
 
   /// Whether an awake tile is quiet; stops at the first pack that is not.
   template <class Shape, class B>
-  [[gnu::flatten]] void look(const B& body, std::uint32_t number, const Tile<D>& tile, const Frame<T, D>& frame) {
+  [[gnu::flatten, gnu::noinline]] void look(const B& body, std::uint32_t number, const Tile<D>& tile,
+                                            const Frame<T, D>& frame) {
     if (!policy_.enabled) return;
     Rest<T, D>& rest = rests_[number];
     rest.quiet = false;
