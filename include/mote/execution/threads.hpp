@@ -6,10 +6,10 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <mote/core/error.hpp>
@@ -27,8 +27,16 @@ class Pool {
   struct alignas(64) Next {
     std::atomic<std::size_t> value;
   };
-  std::mutex one_loop_;
-  std::function<void(std::size_t)> job_;
+  /// Not a template over what is called: a step has many loops, and this would be compiled for each.
+  struct Job {
+    void (*call)(const void*, std::size_t);
+    const void* f;
+    std::size_t n, chunk;
+  };
+  std::mutex one_loop_, failure_mutex_;
+  Job job_ = {};
+  std::exception_ptr failure_;
+  std::size_t failed_at_ = 0;
   std::vector<Next> next_;
   std::atomic<std::size_t> round_ = 0, busy_ = 0;
   std::atomic<bool> stop_ = false;
@@ -47,37 +55,19 @@ class Pool {
   Pool& operator=(const Pool&) = delete;
   ~Pool() { stop(); }
 
-  template <class F>
-  void for_each(std::size_t n, const F& f) {
+  /// Calls call(f, i) for every i < n.
+  void for_each(std::size_t n, void (*call)(const void*, std::size_t), const void* f) {
     if (n == 0) return;
     const std::lock_guard turn(one_loop_);
-    std::exception_ptr failure;
-    std::size_t failed_at = n;
-    std::mutex failure_mutex;
-    const std::size_t threads = workers_.size() + 1;
-    const std::size_t chunk = std::clamp<std::size_t>(n / (16 * threads), 1, 16);
-    const auto begin = [&](std::size_t part) { return n * part / threads; };
-    for (std::size_t part = 0; part < threads; ++part) next_[part].value = begin(part);
-    const auto work = [&](std::size_t me) {
-      for (std::size_t k = 0; k < threads; ++k) {
-        const std::size_t part = (me + k) % threads, end = begin(part + 1);
-        auto& next = next_[part].value;
-        for (std::size_t from; (from = next.fetch_add(chunk, std::memory_order_relaxed)) < end;)
-          for (std::size_t i = from; i < std::min(end, from + chunk); ++i) try {
-              f(i);
-            } catch (...) {
-              const std::lock_guard lock(failure_mutex);
-              if (i < failed_at) {
-                failed_at = i;
-                failure = std::current_exception();
-              }
-            }
-      }
-    };
-    start(work);
+    job_ = {call, f, n, std::clamp<std::size_t>(n / (16 * next_.size()), 1, 16)};
+    for (std::size_t part = 0; part < next_.size(); ++part) next_[part].value = begin(part);
+    failure_ = nullptr;
+    failed_at_ = n;
+    busy_ = workers_.size();
+    announce();
     work(0);
-    finish();
-    if (failure) std::rethrow_exception(failure);
+    for (std::size_t busy; (busy = busy_) != 0;) wait_while(busy_, busy);
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
   }
 
  private:
@@ -89,21 +79,31 @@ class Pool {
     round_.fetch_add(1);
     round_.notify_all();
   }
-  template <class Work>
-  void start(const Work& work) {
-    job_ = std::ref(work);
-    busy_ = workers_.size();
-    announce();
+  std::size_t begin(std::size_t part) const { return job_.n * part / next_.size(); }
+  /// One's own part, then what others have left of theirs.
+  void work(std::size_t me) {
+    for (std::size_t k = 0; k < next_.size(); ++k) {
+      const std::size_t part = (me + k) % next_.size(), end = begin(part + 1);
+      for (std::size_t from; (from = next_[part].value.fetch_add(job_.chunk, std::memory_order_relaxed)) < end;)
+        for (std::size_t i = from; i < std::min(end, from + job_.chunk); ++i) try {
+            job_.call(job_.f, i);
+          } catch (...) {
+            failed(i);
+          }
+    }
   }
-  void finish() {
-    for (std::size_t busy; (busy = busy_) != 0;) wait_while(busy_, busy);
+  void failed(std::size_t i) {
+    const std::lock_guard lock(failure_mutex_);
+    if (i >= failed_at_) return;
+    failed_at_ = i;
+    failure_ = std::current_exception();
   }
   void serve(std::size_t me) {
     for (std::size_t seen = 0;;) {
       wait_while(round_, seen);
       seen = round_;
       if (stop_) return;
-      job_(me);
+      work(me);
       if (--busy_ == 0) busy_.notify_one();
     }
   }
@@ -138,7 +138,8 @@ class Threads {
 
   template <class F>
   void for_each(std::size_t n, const F& f) const {
-    pool_->for_each(n, f);
+    pool_->for_each(
+        n, [](const void* called, std::size_t i) { (*static_cast<const F*>(called))(i); }, std::addressof(f));
   }
 };
 
