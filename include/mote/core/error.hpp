@@ -2,9 +2,13 @@
 /// The three kinds of trouble, as three types.
 #pragma once
 
-#include <sstream>
+#include <cstddef>
+#include <cstdio>
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 namespace mote {
 
@@ -29,18 +33,66 @@ struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The arguments, streamed one after the other, as one string.
-template <class... Args>
-std::string text(const Args&... args) {
-  std::ostringstream out;
-  (out << ... << args);
-  return out.str();
+namespace detail {
+
+/// A word or a number of a sentence.
+struct Piece {
+  enum class Kind { words, real, whole, natural } kind;
+  union {
+    std::string_view words;
+    double real;
+    long long whole;
+    unsigned long long natural;
+  };
+
+  Piece(std::string_view w) : kind(Kind::words), words(w) {}
+  Piece(const std::string& w) : Piece(std::string_view(w)) {}
+  Piece(const char* w) : Piece(std::string_view(w)) {}
+  Piece(const char& c) : Piece(std::string_view(&c, 1)) {}
+  template <class T>
+  requires std::is_floating_point_v<T> Piece(T x) : kind(Kind::real), real(double(x)) {}
+  template <class T>
+  requires std::is_integral_v<T> Piece(T i) : kind(std::is_signed_v<T> ? Kind::whole : Kind::natural) {
+    if constexpr (std::is_signed_v<T>)
+      whole = i;
+    else
+      natural = i;
+  }
+};
+
+/// Numbers have six digits. Not a template: sentences are many, and each would be compiled anew.
+[[gnu::noinline]] inline std::string sentence(std::initializer_list<Piece> pieces) {
+  std::string all;
+  char digits[32];
+  for (const Piece& p : pieces) {
+    if (p.kind == Piece::Kind::words) {
+      all += p.words;
+      continue;
+    }
+    const int n = p.kind == Piece::Kind::real    ? std::snprintf(digits, sizeof digits, "%g", p.real)
+                  : p.kind == Piece::Kind::whole ? std::snprintf(digits, sizeof digits, "%lld", p.whole)
+                                                 : std::snprintf(digits, sizeof digits, "%llu", p.natural);
+    all.append(digits, std::size_t(n));
+  }
+  return all;
 }
 
-/// Throws InputError("mote: " + the arguments streamed) unless `ok` holds.
+[[noreturn, gnu::cold, gnu::noinline]] inline void refuse(std::initializer_list<Piece> pieces) {
+  throw InputError("mote: " + sentence(pieces));
+}
+
+}  // namespace detail
+
+/// The arguments, words and numbers, one after the other as one string.
+template <class... Args>
+std::string text(const Args&... args) {
+  return detail::sentence({detail::Piece(args)...});
+}
+
+/// Throws InputError("mote: " + the arguments as one sentence) unless `ok` holds.
 template <class... Args>
 void require(bool ok, const Args&... args) {
-  if (!ok) throw InputError(text("mote: ", args...));
+  if (!ok) detail::refuse({detail::Piece(args)...});
 }
 
 }  // namespace mote

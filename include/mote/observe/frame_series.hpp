@@ -44,15 +44,53 @@ struct FrameSeries {
 inline unsigned parity(int i) { return 1u << i; }
 inline unsigned parity(int i, int j) { return parity(i) ^ parity(j); }
 
+/// Numbers of a frame, in single or double precision: chosen when the program runs, so that what fills them is compiled
+/// once.
+class FrameNumbers {
+  std::vector<float> single_;
+  std::vector<double> double_;
+  bool doubles_;
+
+ public:
+  FrameNumbers(bool doubles, std::size_t n, double value = 0) : doubles_(doubles) {
+    if (doubles)
+      double_.assign(n, value);
+    else
+      single_.assign(n, float(value));
+  }
+  std::size_t size() const { return doubles_ ? double_.size() : single_.size(); }
+  double operator[](std::size_t i) const { return doubles_ ? double_[i] : double(single_[i]); }
+  void put(std::size_t i, double x) {
+    if (doubles_)
+      double_[i] = x;
+    else
+      single_[i] = float(x);
+  }
+  void grow(std::size_t n) { doubles_ ? double_.resize(n) : single_.resize(n); }
+  Coordinates numbers() const {
+    if (doubles_) return std::span<const double>(double_);
+    return std::span<const float>(single_);
+  }
+};
+
 /// A named array of a frame and the parities of its components.
-template <class Real>
 struct FrameColumn {
   std::string name;
   std::vector<unsigned> parities;
-  std::vector<Real> data;
+  FrameNumbers data;
 
   std::size_t components() const { return parities.size(); }
-  Array array() const { return {name, int(components()), std::span<const Real>(data)}; }
+  Array array() const {
+    Array a{name, int(components()), {}};
+    std::visit([&](auto numbers) { a.data = numbers; }, data.numbers());
+    return a;
+  }
+  /// Adds the image of each tuple in a mirror across an axis.
+  void mirror(int axis) {
+    const std::size_t n = data.size(), width = components();
+    data.grow(2 * n);
+    for (std::size_t i = 0; i < n; ++i) data.put(n + i, parities[i % width] >> axis & 1 ? 0 - data[i] : data[i]);
+  }
 };
 
 /// Position of the plane at the lower end of an axis, about which a frame is mirrored, m. Throws InputError.

@@ -18,7 +18,7 @@ class NodeFrame {
   const Solver& solver_;
   std::array<std::int64_t, 3> lo_{}, hi_{};
   std::array<std::vector<double>, sums> sums_;
-  std::vector<FrameColumn<float>> columns_;
+  std::vector<FrameColumn> columns_;
 
  public:
   /// `whole`: axes on which the box begins at the lower plane, since an image is to join there.
@@ -37,14 +37,16 @@ class NodeFrame {
     lo_[a] = 2 * lo[a] - hi[a];
     for (auto& column : columns_) {
       const std::size_t width = column.components();
-      std::vector<float> data;
-      data.reserve(width * std::size_t(count()));
+      FrameNumbers data(false, width * std::size_t(count()));
+      std::size_t to = 0;
       for_nodes([&](std::array<std::int64_t, 3> node) {
         const bool image = node[a] < lo[a];
         if (image) node[a] = 2 * lo[a] - node[a];
-        const float* from = column.data.data() + width * place(node, lo, hi);
-        for (std::size_t c = 0; c < width; ++c)
-          data.push_back(image && (column.parities[c] >> axis & 1) ? 0 - from[c] : from[c]);
+        const std::size_t from = width * place(node, lo, hi);
+        for (std::size_t c = 0; c < width; ++c) {
+          const double x = column.data[from + c];
+          data.put(to++, image && (column.parities[c] >> axis & 1) ? 0 - x : x);
+        }
       });
       column.data = std::move(data);
     }
@@ -186,7 +188,7 @@ class NodeFrame {
   void make_columns() {
     const std::size_t n = std::size_t(count());
     const auto add = [&](const char* name, const std::vector<unsigned>& parities) {
-      columns_.push_back({name, parities, std::vector<float>(parities.size() * n)});
+      columns_.push_back({name, parities, FrameNumbers(false, parities.size() * n)});
     };
     add("volume_fraction", {0});
     add("density", {0});
@@ -198,14 +200,14 @@ class NodeFrame {
       const std::size_t i = place(node, lo_, hi_);
       const auto over = [&](int a, int b) {
         const double below = sums_[std::size_t(b)][i];
-        return float(below > 0 ? sums_[std::size_t(a)][i] / below : 0);
+        return below > 0 ? sums_[std::size_t(a)][i] / below : 0;
       };
-      columns_[0].data[i] = float(sums_[volume][i] / control_volume(node));
-      columns_[1].data[i] = over(mass, volume);
-      columns_[2].data[i] = over(push, volume);
+      columns_[0].data.put(i, sums_[volume][i] / control_volume(node));
+      columns_[1].data.put(i, over(mass, volume));
+      columns_[2].data.put(i, over(push, volume));
       for (int c = 0; c < D; ++c)
-        columns_[3].data[3 * i + std::size_t(c)] = held(node, c) ? 0 : over(momentum + c, mass);
-      if (warm) columns_[4].data[i] = over(heat, heated);
+        columns_[3].data.put(3 * i + std::size_t(c), held(node, c) ? 0 : over(momentum + c, mass));
+      if (warm) columns_[4].data.put(i, over(heat, heated));
     });
   }
 };

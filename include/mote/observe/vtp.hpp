@@ -36,23 +36,23 @@ inline constexpr bool left_out =
     contains<fields<field::Position, field::Mass, field::Id, field::Affine, field::DeviatoricStress>, Tag>;
 
 /// The arrays of one particle frame.
-template <class Real, class Solver>
+template <class Solver>
 class ParticleFrame {
   static constexpr int D = Solver::dimension;
-  using T = typename Solver::number;
 
   const Solver& solver_;
-  std::vector<Real> points_;
+  bool doubles_;
+  FrameNumbers points_;
   std::vector<std::uint32_t> ids_, bodies_;  // of one body only, the latter is left out
-  std::vector<FrameColumn<Real>> columns_;
+  std::vector<FrameColumn> columns_;
 
  public:
-  explicit ParticleFrame(const Solver& solver) : solver_(solver), points_(3 * solver.size()), ids_(solver.size()) {
+  ParticleFrame(const Solver& solver, bool doubles)
+      : solver_(solver), doubles_(doubles), points_(doubles, 3 * solver.size()), ids_(solver.size()) {
     std::size_t first = 0;
     std::uint32_t body = 0;
     solver.for_each_body([&](const auto& material, const auto& particles) {
-      add_fields(particles, first, list_of<decltype(particles)>{});
-      add_derived(material, particles, first);
+      add(material, particles, first, list_of<decltype(particles)>{});
       first += particles.size();
       if (Solver::bodies > 1) bodies_.resize(first, body++);
     });
@@ -61,90 +61,84 @@ class ParticleFrame {
   /// Adds the image about the lower plane of an axis.
   void mirror(int axis) {
     const double plane = lower_plane(solver_, axis);
-    append(ids_, 1, [](std::size_t, std::uint32_t id) { return id; });
-    append(bodies_, 1, [](std::size_t, std::uint32_t body) { return body; });
-    append(points_, 3, [&](std::size_t c, Real x) { return c == std::size_t(axis) ? Real(2 * plane - double(x)) : x; });
-    for (auto& column : columns_)
-      append(column.data, column.components(),
-             [&](std::size_t c, Real x) { return column.parities[c] >> axis & 1 ? 0 - x : x; });
+    const std::size_t n = ids_.size();
+    points_.grow(6 * n);
+    for (std::size_t i = 0; i < 3 * n; ++i)
+      points_.put(3 * n + i, i % 3 == std::size_t(axis) ? 2 * plane - points_[i] : points_[i]);
+    for (auto* numbers : {&ids_, &bodies_}) {
+      const std::size_t before = numbers->size();
+      numbers->resize(2 * before);
+      std::copy_n(numbers->begin(), before, numbers->begin() + std::ptrdiff_t(before));
+    }
+    for (auto& column : columns_) column.mirror(axis);
   }
 
   void write(const std::filesystem::path& file) const {
     std::vector<Array> arrays{{"id", 1, std::span<const std::uint32_t>(ids_)}};
     if (Solver::bodies > 1) arrays.push_back({"body", 1, std::span<const std::uint32_t>(bodies_)});
     for (const auto& column : columns_) arrays.push_back(column.array());
-    write_vtp(file, std::span<const Real>(points_), arrays, solver_.time());
+    write_vtp(file, points_.numbers(), arrays, solver_.time());
   }
 
  private:
-  template <class Number, class F>
-  static void append(std::vector<Number>& data, std::size_t components, const F& image) {
-    const std::size_t n = data.size();
-    data.resize(2 * n);
-    for (std::size_t i = 0; i < n; ++i) data[n + i] = image(i % components, data[i]);
+  /// The number of the column of that name; nan where no body has set it.
+  std::size_t column(const char* name, const std::vector<unsigned>& parities) {
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (columns_[i].name == name && columns_[i].parities == parities) return i;
+    columns_.push_back({name, parities, FrameNumbers(doubles_, parities.size() * solver_.size(), nan)});
+    return columns_.size() - 1;
   }
 
-  /// The data of the column of that name; nan where no body has set it.
-  Real* column(const std::string& name, const std::vector<unsigned>& parities) {
-    for (auto& c : columns_)
-      if (c.name == name && c.parities == parities) return c.data.data();
-    columns_.push_back({name, parities, std::vector<Real>(parities.size() * solver_.size(), Real(nan))});
-    return columns_.back().data.data();
-  }
-
-  template <class Particles, class... Tags>
-  void add_fields(const Particles& particles, std::size_t first, fields<Tags...>) {
-    for (int a = 0; a < D; ++a) {
-      const auto x = particles.template column<field::Position>(a);
-      each(particles, [&](std::size_t p) {
-        points_[3 * (first + p) + std::size_t(a)] = Real(solver_.domain().wrapped_position(a, double(x[p])));
-      });
-    }
-    const auto id = particles.template column<field::Id>();
-    std::copy(id.begin(), id.end(), ids_.begin() + std::ptrdiff_t(first));
-    const auto add = [&]<class Tag>(Tag) {
-      if constexpr (!left_out<Tag>) add_field<Tag>(particles, first);
+  template <class Material, class Particles, class... Tags>
+  void add(const Material& material, const Particles& particles, std::size_t first, fields<Tags...>) {
+    constexpr bool strong = contains<particle_fields_of<Material>, field::DeviatoricStress>;
+    std::vector<std::size_t> of_fields;
+    const auto find = [&]<class Tag>(Tag) {
+      if constexpr (!left_out<Tag>) of_fields.push_back(column(Tag::name, parities_of<Tag>()));
     };
-    (add(Tags{}), ...);
-  }
-
-  template <class Tag, class Particles>
-  void add_field(const Particles& particles, std::size_t first) {
-    const auto parities = parities_of<Tag>();
-    const std::size_t width = parities.size();
-    Real* to = column(Tag::name, parities) + width * first;
-    std::fill_n(to, width * particles.size(), Real(0));
-    for (int i = 0; i < Tag::shape::template components<D>; ++i) {
-      const auto from = particles.template column<Tag>(i);
-      const std::size_t at = std::size_t(place_in_frame<Tag, D>(i));
-      each(particles, [&](std::size_t p) { to[width * p + at] = Real(from[p]); });
-    }
-  }
-
-  template <class Material, class Particles>
-  void add_derived(const Material& material, const Particles& particles, std::size_t first) {
-    using State = particle_fields_of<Material>;
-    constexpr bool strong = contains<State, field::DeviatoricStress>;
-    Real* pressure = column("pressure", {0}) + first;
-    Real* density = column("density", {0}) + first;
-    Real* mises = strong ? column("von_mises_stress", {0}) + first : nullptr;
-    each(particles, [&](std::size_t p) {
-      Values<T, D, State> values;
-      particles.load(p, values);
-      pressure[p] = Real(material.pressure(values));
-      density[p] = Real(material.rho0() / double(get<field::VolumeRatio>(values)));
-      if constexpr (strong) {
-        const auto& s = get<field::DeviatoricStress>(values);
-        mises[p] = Real(std::sqrt(1.5 * double(ddot(s, s))));
+    (find(Tags{}), ...);
+    const std::size_t pressure = column("pressure", {0}), density = column("density", {0});
+    [[maybe_unused]] const std::size_t mises = strong ? column("von_mises_stress", {0}) : 0;
+    for_chunks(solver_.executor(), particles.size(), [&](std::size_t from, std::size_t to) {
+      add_points(particles, first, from, to);
+      const std::size_t* next = of_fields.data();
+      const auto copy = [&]<class Tag>(Tag) {
+        if constexpr (!left_out<Tag>) copy_field<Tag>(particles, first, from, to, columns_[*next++].data);
+      };
+      (copy(Tags{}), ...);
+      for (std::size_t p = from; p < to; ++p) {
+        Values<typename Solver::number, D, particle_fields_of<Material>> values;
+        particles.load(p, values);
+        columns_[pressure].data.put(first + p, double(material.pressure(values)));
+        columns_[density].data.put(first + p, material.rho0() / double(get<field::VolumeRatio>(values)));
+        if constexpr (strong) {
+          const auto& s = get<field::DeviatoricStress>(values);
+          columns_[mises].data.put(first + p, std::sqrt(1.5 * double(ddot(s, s))));
+        }
       }
     });
   }
 
-  template <class Particles, class F>
-  void each(const Particles& particles, const F& f) const {
-    for_chunks(solver_.executor(), particles.size(), [&](std::size_t from, std::size_t to) {
-      for (std::size_t p = from; p < to; ++p) f(p);
-    });
+  template <class Particles>
+  void add_points(const Particles& particles, std::size_t first, std::size_t from, std::size_t to) {
+    for (std::size_t p = from; p < to; ++p) {
+      ids_[first + p] = particles.template column<field::Id>()[p];
+      for (int a = 0; a < D; ++a)
+        points_.put(3 * (first + p) + std::size_t(a),
+                    solver_.domain().wrapped_position(a, double(particles.template column<field::Position>(a)[p])));
+    }
+  }
+
+  template <class Tag, class Particles>
+  static void copy_field(const Particles& particles, std::size_t first, std::size_t from, std::size_t to,
+                         FrameNumbers& numbers) {
+    const std::size_t width = parities_of<Tag>().size();
+    for (std::size_t i = width * (first + from); i < width * (first + to); ++i) numbers.put(i, 0);
+    for (int i = 0; i < Tag::shape::template components<D>; ++i) {
+      const auto column = particles.template column<Tag>(i);
+      const std::size_t at = std::size_t(place_in_frame<Tag, D>(i));
+      for (std::size_t p = from; p < to; ++p) numbers.put(width * (first + p) + at, double(column[p]));
+    }
   }
 };
 
@@ -184,14 +178,9 @@ struct Vtp {
   template <class Solver>
   void write(const Solver& solver) {
     const auto file = series_.next("vtp");
-    const auto put = [&](auto frame) {
-      for (const int axis : mirror) frame.mirror(axis);
-      frame.write(file);
-    };
-    if (doubles)
-      put(detail::ParticleFrame<double, Solver>(solver));
-    else
-      put(detail::ParticleFrame<float, Solver>(solver));
+    detail::ParticleFrame<Solver> frame(solver, doubles);
+    for (const int axis : mirror) frame.mirror(axis);
+    frame.write(file);
     series_.written(file, solver.time());
   }
 

@@ -124,7 +124,7 @@ class Particles<T, D, fields<Tags...>> {
     const auto visit = [&](auto& column) {
       for (auto& data : column.data) f(data);
     };
-    std::apply([&](auto&... column) { (visit(column), ...); }, columns_);
+    (visit(std::get<detail::Column<Tags, T, D>>(columns_)), ...);
   }
 
  private:

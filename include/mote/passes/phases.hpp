@@ -233,11 +233,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   }
   template <class F>
   void for_each_body(F&& f) {
-    std::apply([&](auto&... body) { (f(body), ...); }, bodies_);
+    visit(bodies_, f, std::index_sequence_for<Materials...>{});
   }
   template <class F>
   void for_each_body(F&& f) const {
-    std::apply([&](const auto&... body) { (f(body), ...); }, bodies_);
+    visit(bodies_, f, std::index_sequence_for<Materials...>{});
   }
   std::size_t size() const {
     std::size_t n = 0;
@@ -246,6 +246,12 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   }
 
  private:
+  /// As std::apply would, which asks of each f whether it may throw and so compiles it twice.
+  template <class All, class F, std::size_t... i>
+  static void visit(All& bodies, F& f, std::index_sequence<i...>) {
+    (f(std::get<i>(bodies)), ...);
+  }
+
   template <class F>
   void for_each_tile(const F& f) {
     for_each_body([&](auto& body) {
