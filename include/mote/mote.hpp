@@ -22,12 +22,14 @@
 #include <mote/eos/mie_gruneisen.hpp>
 #include <mote/exact/axis_aligned.hpp>
 #include <mote/exact/generalized_vortex.hpp>
+#include <mote/exact/hugoniot.hpp>
 #include <mote/exact/impact.hpp>
 #include <mote/exact/manufactured.hpp>
 #include <mote/exact/manufactured_bar.hpp>
 #include <mote/exact/neo_hookean.hpp>
 #include <mote/exact/numerics.hpp>
 #include <mote/exact/plane_wave.hpp>
+#include <mote/exact/thick_sphere.hpp>
 #include <mote/exact/vibrating_bar.hpp>
 #include <mote/execution/concept.hpp>
 #include <mote/execution/serial.hpp>
