@@ -21,6 +21,8 @@
 #include <mote/eos/linear_bulk.hpp>
 #include <mote/eos/mie_gruneisen.hpp>
 #include <mote/exact/axis_aligned.hpp>
+#include <mote/exact/cavity_strength.hpp>
+#include <mote/exact/dynamic_cavity.hpp>
 #include <mote/exact/generalized_vortex.hpp>
 #include <mote/exact/hugoniot.hpp>
 #include <mote/exact/impact.hpp>
