@@ -24,7 +24,8 @@ namespace mote::exact {
 /// with Y, history included (CavityStrength): S = (4 G/3) (1 - A^3/a^3) at first, 2 Y/3 when it begins to yield, and at
 /// most (2 Y/3) [1 + ln(2 G/Y)] for small Y/G.
 ///
-/// Adaptive steps of fifth order; the estimated error per step is at most `tolerance` of the largest a - A and a_t yet.
+/// Adaptive steps of fifth order; the estimated error per step is at most `tolerance` of the largest a - A, a_t and
+/// energy yet.
 /// Turning points are met exactly. Shells lie at the place r; the stress is tension positive.
 /// Source: Hopkins, Dynamic expansion of spherical cavities in metals, Progress in Solid Mechanics 1 (1960) 83; Carroll
 /// and Holt, J. Appl. Phys. 43 (1972) 1626; for G = Y = 0 it is Rayleigh, Phil. Mag. 34 (1917) 94.
@@ -54,7 +55,7 @@ class DynamicCavity {
     require(p.tolerance > 0 && p.tolerance <= 1e-3, "the tolerance is ", p.tolerance,
             "; it must be > 0 and at most 1e-3");
     y_[speed_] = p.speed;
-    largest_[speed_] = std::abs(p.speed);
+    remember();
     const double fast = std::sqrt((p.shear_modulus + std::abs(tension())) / p.density) + std::abs(p.speed);
     step_ = 0.05 * p.radius / fast;  // infinite if nothing moves yet
   }
@@ -82,7 +83,7 @@ class DynamicCavity {
         time_ = last ? until : time_ + h;
         if (!last) step_ = h * detail::step_factor(error);
       }
-      for (std::size_t i = 0; i < y_.size(); ++i) largest_[i] = std::max(largest_[i], std::abs(y_[i]));
+      remember();
     }
   }
 
@@ -112,9 +113,7 @@ class DynamicCavity {
   }
 
   /// J. At any time kinetic + elastic energy = their sum at the start + tension's work - plastic work.
-  double kinetic_energy() const {
-    return 2 * std::numbers::pi * p_.density * std::pow(radius(), 3) * speed() * speed() * thickness(y_);
-  }
+  double kinetic_energy() const { return kinetic_energy(y_); }
   double tension_work() const { return y_[pulled_]; }
   double plastic_work() const { return y_[lost_]; }
 
@@ -125,8 +124,12 @@ class DynamicCavity {
   Parameters p_;
   CavityStrength strength_;
   State y_{}, largest_{};
-  double time_ = 0, step_ = 0;
+  double energy_ = 0, time_ = 0, step_ = 0;
 
+  void remember() {
+    for (std::size_t i = 0; i < y_.size(); ++i) largest_[i] = std::max(largest_[i], std::abs(y_[i]));
+    energy_ = std::max(energy_, energy(y_));
+  }
   double tension_at(double t) const { return p_.tension ? p_.tension(t) : 0; }
   double shell(double r) const { return std::max(r * r * r - swept(y_), std::pow(p_.radius, 3)); }
 
@@ -159,13 +162,19 @@ class DynamicCavity {
 
   double relative_error(const detail::DoubledStep<4>& s) const {
     double error = 0;
-    for (const std::size_t i : {out_, speed_}) {
+    for (std::size_t i = 0; i < s.y.size(); ++i) {
       if (!std::isfinite(s.y[i])) return HUGE_VAL;
-      const double scale = p_.tolerance * std::max(largest_[i], std::abs(s.y[i]));
-      if (s.error[i] != 0) error = std::max(error, std::abs(s.error[i]) / scale);
+      const double own =
+          i == out_ || i == speed_ ? std::max(largest_[i], std::abs(s.y[i])) : std::max(energy_, energy(s.y));
+      if (s.error[i] != 0) error = std::max(error, std::abs(s.error[i]) / (p_.tolerance * own));
     }
     return error;
   }
+  double kinetic_energy(const State& y) const {
+    return 2 * std::numbers::pi * p_.density * std::pow(p_.radius + y[out_], 3) * y[speed_] * y[speed_] * thickness(y);
+  }
+  /// All that ever moved: the scale of the works' errors.
+  double energy(const State& y) const { return kinetic_energy(y) + std::abs(y[pulled_]) + y[lost_]; }
 
   /// A step of at most h, to the moment at which the speed vanishes.
   void turn(double h) {
