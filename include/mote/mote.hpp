@@ -17,9 +17,15 @@
 #include <mote/core/vec.hpp>
 #include <mote/core/vector_field.hpp>
 #include <mote/core/version.hpp>
+#include <mote/energy/concept.hpp>
+#include <mote/energy/full.hpp>
+#include <mote/energy/plastic.hpp>
 #include <mote/eos/concept.hpp>
+#include <mote/eos/constant_gamma.hpp>
+#include <mote/eos/ideal_gas.hpp>
 #include <mote/eos/linear_bulk.hpp>
 #include <mote/eos/mie_gruneisen.hpp>
+#include <mote/eos/tension_cutoff.hpp>
 #include <mote/exact/impact.hpp>
 #include <mote/exact/plane_wave.hpp>
 #include <mote/execution/concept.hpp>
@@ -92,4 +98,6 @@
 #include <mote/update/concept.hpp>
 #include <mote/update/musl.hpp>
 #include <mote/update/usl.hpp>
+#include <mote/viscosity/concept.hpp>
 #include <mote/viscosity/none.hpp>
+#include <mote/viscosity/von_neumann.hpp>

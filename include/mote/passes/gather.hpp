@@ -152,7 +152,7 @@ class Reporter {
   template <class M, class V>
   void include(const M& material, const V& p) {
     using std::sqrt;
-    const Pack<T> c2 = material.sound_speed2(p), v2 = dot(get<field::Velocity>(p), get<field::Velocity>(p));
+    const Pack<T> c2 = material.signal_speed2(p), v2 = dot(get<field::Velocity>(p), get<field::Velocity>(p));
     const Pack<T> speed2 = c2 + v2 + T(2) * sqrt(c2 * v2), one = T(1);  // (c + |v|)^2, with one root
     speed2_ = max(speed2_, speed2);
     wrong_ = select(speed2 < Pack<T>(std::numeric_limits<T>::infinity()), wrong_, one);
@@ -166,8 +166,8 @@ class Reporter {
     for (std::uint32_t i = tile.first; largest(wrong_) > 0 && i < tile.first + tile.count; ++i) {
       Values<T, D, union_of<fields<field::Velocity>, particle_fields_of<typename B::Material>>> p;
       body.particles.load(i, p);
-      if (std::isfinite(norm(get<field::Velocity>(p))) && std::isfinite(body.material.sound_speed2(p)) &&
-          body.material.sound_speed2(p) >= 0 && body.material.admissible(p))
+      if (std::isfinite(norm(get<field::Velocity>(p))) && std::isfinite(body.material.signal_speed2(p)) &&
+          body.material.signal_speed2(p) >= 0 && body.material.admissible(p))
         continue;
       report.failed = i;
       break;
@@ -225,7 +225,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
       if constexpr (moves) {
         auto& x = get<field::Position>(p);
         x += grid_velocity.pic * Pack<T>(T(dt));
-        material.update(p, embed(sums.increment(i, dt_over_h)));
+        material.update(p, embed(sums.increment(i, dt_over_h)), {.dt = dt, .spacing = spacing});
         reporter.include(material, p);
         range.template include<Shape>(in_tile.in_cells(x));
       } else {
