@@ -43,9 +43,8 @@ struct ConstantGamma {
     return reference.reference_heating(x);
   }
   template <class T>
-  auto internal_energy(const T& x) const -> decltype(reference.internal_energy(x)) {
-    return reference.internal_energy(x);
-  }
+  requires(HasInternalEnergy<Reference, T>) T internal_energy(const T& x)
+  const { return reference.internal_energy(x); }
   /// V0 gamma/V = gamma0/x.
   template <class T>
   T gamma_over_volume(const T& x) const {

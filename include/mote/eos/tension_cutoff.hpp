@@ -71,9 +71,8 @@ class TensionCutoff {
     return reference.reference_heating(x);
   }
   template <class T>
-  auto internal_energy(const T& x) const -> decltype(reference.internal_energy(x)) {
-    return reference.internal_energy(x);
-  }
+  requires(HasInternalEnergy<Reference, T>) T internal_energy(const T& x)
+  const { return reference.internal_energy(x); }
   /// Zero where the reference curve is cut.
   template <class T>
   T gamma_over_volume(const T& x) const {

@@ -65,8 +65,9 @@ TEST_CASE("tension cut-off: on any law; packs and single precision") {
   CHECK(other.opens_at == Approx(opens).epsilon(1e-14));
   CHECK(other.pressure(0.9, 1e5) == eos::ConstantGamma{aluminium}.pressure(0.9, 1e5));
   const Pack<double> x([](int i) { return all_x[i]; }), e(1e3);
-  const auto p = brittle.pressure(x, e), c2 = brittle.bulk_sound_speed2(x, e), c2s = isentropic_sound_speed2(brittle, x, e),
-             energy = brittle.reference_energy(x), gamma = brittle.gamma_over_volume(x);
+  const auto p = brittle.pressure(x, e), c2 = brittle.bulk_sound_speed2(x, e),
+             c2s = isentropic_sound_speed2(brittle, x, e), energy = brittle.reference_energy(x),
+             gamma = brittle.gamma_over_volume(x);
   for (int i = 0; i < lanes; ++i) {
     CHECK(lane(p, i) == Approx(brittle.pressure(all_x[i], 1e3)).epsilon(1e-13));
     CHECK(lane(c2, i) == Approx(brittle.bulk_sound_speed2(all_x[i], 1e3)).epsilon(1e-13));

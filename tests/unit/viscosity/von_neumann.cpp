@@ -30,7 +30,8 @@ TEST_CASE("viscosity: q = rho (A1 c h |D| + A2 h^2 D^2) in compression, zero in 
   for (const double e : {1e-4, 1e-3}) {
     auto state = metal.initial<double>();
     metal.update(state, Matrix{-e, 0, 0, 0, 0, 0, 0, 0, 0}, step);
-    const double closing = e / (1 - e / 2) * step.spacing / step.dt, c = std::sqrt(metal.sound_speed2(metal.initial<double>()));
+    const double closing = e / (1 - e / 2) * step.spacing / step.dt,
+                 c = std::sqrt(metal.sound_speed2(metal.initial<double>()));
     const double q = 2700 * (0.3 * c * closing + 1.7 * closing * closing);
     CHECK(get<field::ViscousPressure>(state) == Approx(q).epsilon(1e-12));
     CHECK(trace(metal.stress(state)) / 3 == Approx(-metal.pressure(state) - q).epsilon(1e-12));
@@ -65,7 +66,8 @@ TEST_CASE("viscosity: its work is that of the mean of old and new q") {
   CHECK(work > 0);
 }
 
-TEST_CASE("viscosity: a material without it stores nothing and needs no step; with it, pressure and sound are the same") {
+TEST_CASE(
+    "viscosity: a material without it stores nothing and needs no step; with it, pressure and sound are the same") {
   const Material inviscid{hugoniot};
   CHECK(std::is_same_v<decltype(inviscid)::particle_fields, fields<field::VolumeRatio>>);
   CHECK_FALSE(decltype(inviscid)::viscous);
@@ -86,7 +88,8 @@ TEST_CASE("viscosity: the signal speed is c (z + sqrt(1 + z^2)), z = A1 + A2 h |
     CHECK(shock.signal_speed2(2700.0, c * c, shock.pressure(2700.0, c, u)) == Approx(speed * speed).epsilon(1e-12));
   }
   // without sound, that of the damping alone: z c = A2 h |D|
-  CHECK(shock.signal_speed2(2700.0, 0.0, 2700 * 1.7 * 100.0 * 100) == Approx(std::pow(2 * 1.7 * 100, 2)).epsilon(1e-12));
+  CHECK(shock.signal_speed2(2700.0, 0.0, 2700 * 1.7 * 100.0 * 100) ==
+        Approx(std::pow(2 * 1.7 * 100, 2)).epsilon(1e-12));
   CHECK(viscosity::VonNeumann{.linear = 0, .quadratic = 0}.signal_speed2(2700.0, c * c, 0.0) == Approx(c * c));
 }
 
