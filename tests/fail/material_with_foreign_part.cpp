@@ -1,4 +1,4 @@
-// expect: mote: a material takes an equation of state, a strength, a heat policy and a viscosity only
+// expect: mote: a material takes an equation of state, a strength, a heat policy, a viscosity and an energy closure only
 #include <mote/eos/linear_bulk.hpp>
 #include <mote/material.hpp>
 

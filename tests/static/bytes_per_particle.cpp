@@ -42,6 +42,10 @@ static_assert(bytes<3, double, Linear, Flip, ColdElastic> == 116, "a cold elasti
 // a fluid: no stress column
 static_assert(bytes<3, double, Linear, Flip, Water> == 8 * 8 + id);
 
+// the full energy equation takes a column, a shock viscosity two
+const Material shocked{eos::MieGruneisen{.rho0 = 2700, .c0 = 5350}, energy::Full{}, viscosity::VonNeumann{}};
+static_assert(bytes<3, double, Linear, Flip, decltype(shocked)> == (8 + 1 + 2) * 8 + id);
+
 // one dimension: position, velocity, mass, volume ratio, stress 3, strain, work, temperature
 static_assert(bytes<1, double, Linear, Flip, Aluminium> == 10 * 8 + id);
 static_assert(bytes<1, double, QuadraticBSpline, Apic, Aluminium> == 11 * 8 + id);

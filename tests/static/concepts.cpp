@@ -19,6 +19,15 @@ struct GoodEos {
   // clang-format on
   double gamma_over_volume() const { return 0; }
 };
+struct EosWithGammaOfVolume : GoodEos {
+  template <class T>
+  T gamma_over_volume(T x) const {
+    return T(2) / x;
+  }
+};
+struct EosWithIntegerGamma : GoodEos {
+  int gamma_over_volume(double) const;
+};
 struct EosWithoutRole : GoodEos {
   using role = void;
 };
@@ -56,6 +65,10 @@ static_assert(Eos<eos::MieGruneisen> && Eos<eos::MieGruneisen, float> && Eos<eos
 static_assert(!Eos<int> && !Eos<EosWithoutRole> && !Eos<EosOfForeignRole> && !Eos<strength::Elastic>);
 static_assert(!Eos<EosWithoutDensity> && !Eos<EosWithoutPressure> && !Eos<EosWithIntegerPressure>);
 static_assert(!Eos<EosWithoutSoundSpeed> && !Eos<EosWithoutEnergy> && !Eos<EosWithoutHeating>);
+static_assert(Eos<eos::IdealGas> && Eos<eos::IdealGas, float> && Eos<eos::IdealGas, Pack<double>>);
+static_assert(Eos<eos::ConstantGamma<eos::MieGruneisen>, Pack<float>> && Eos<EosWithGammaOfVolume, Pack<double>>);
+static_assert(Eos<eos::TensionCutoff<eos::ConstantGamma<eos::MieGruneisen>>, Pack<double>>);
+static_assert(!Eos<EosWithIntegerGamma>);
 static_assert(!Eos<EosWithoutGamma> && !Eos<EosWithoutAdmissible>);
 
 // ---- StrengthFor
@@ -120,6 +133,72 @@ inline constexpr bool heat_for_all = HeatFor<H, Solid<double>, GoodEos>&& HeatFo
 static_assert(heat_for_all<GoodHeat> && heat_for_all<heat::None> && heat_for_all<heat::Adiabatic>);
 static_assert(!HeatFor<int, Solid<double>, GoodEos> && !HeatFor<HeatWithoutRole, Solid<double>, GoodEos>);
 static_assert(!HeatFor<HeatWithoutUpdate, Solid<double>, GoodEos> && !HeatFor<HeatWithoutWork, Solid<double>, GoodEos>);
+
+// ---- EnergyFor
+
+struct GoodEnergy {
+  using role = mote::role::Energy;
+  static constexpr bool complete = false;
+  // clang-format off
+  template <class V, class E> typename V::number excess(const V&, const E&) const { return {}; }
+  template <class V, class E> typename V::number bulk_sound_speed2(const V&, const E&) const { return {}; }
+  template <class V, class E> typename V::number pressure_work(const V&, const E&) const { return {}; }
+  template <class V, class E, class T> void update(V&, const E&, const T&, const T&, const T&) const {}
+  // clang-format on
+};
+struct EnergyWithoutRole : GoodEnergy {
+  using role = void;
+};
+struct EnergyWithoutComplete : GoodEnergy {
+  void complete() const;
+};
+struct EnergyWithoutExcess : GoodEnergy {
+  void excess() const;
+};
+struct EnergyWithoutSoundSpeed : GoodEnergy {
+  void bulk_sound_speed2() const;
+};
+struct EnergyWithoutWork : GoodEnergy {
+  void pressure_work() const;
+};
+struct EnergyWithoutUpdate : GoodEnergy {
+  void update() const;
+};
+
+template <class T>
+using Gas = Values<T, 3, fields<field::VolumeRatio, field::InternalEnergy>>;
+template <class C>
+inline constexpr bool energy_for_all = EnergyFor<C, Gas<double>, GoodEos>&& EnergyFor<C, Gas<float>, eos::IdealGas>&&
+    EnergyFor<C, Gas<Pack<double>>, eos::MieGruneisen>;
+static_assert(energy_for_all<GoodEnergy> && energy_for_all<energy::Plastic> && energy_for_all<energy::Full>);
+static_assert(HasInternalEnergy<eos::MieGruneisen> && HasInternalEnergy<eos::TensionCutoff<eos::LinearBulk>> &&
+              HasInternalEnergy<eos::ConstantGamma<eos::LinearBulk>, Pack<float>> && !HasInternalEnergy<GoodEos> &&
+              !HasInternalEnergy<eos::ConstantGamma<GoodEos>>);
+static_assert(!energy_for_all<int> && !energy_for_all<EnergyWithoutRole> && !energy_for_all<EnergyWithoutExcess>);
+static_assert(!energy_for_all<EnergyWithoutComplete> && !energy_for_all<EnergyWithoutSoundSpeed>);
+static_assert(!energy_for_all<EnergyWithoutWork> && !energy_for_all<EnergyWithoutUpdate>);
+
+// ---- Viscosity
+
+struct GoodViscosity {
+  using role = mote::role::Viscosity;
+  // clang-format off
+  template <class T> T pressure(const T&, const T&, const T& u) const { return u; }
+  template <class T> T signal_speed2(const T&, const T& c2, const T&) const { return c2; }
+  // clang-format on
+};
+struct ViscosityWithoutRole : GoodViscosity {
+  using role = void;
+};
+struct ViscosityWithoutPressure : GoodViscosity {
+  void pressure() const;
+};
+struct ViscosityWithoutSpeed : GoodViscosity {
+  void signal_speed2() const;
+};
+static_assert(Viscosity<GoodViscosity> && Viscosity<viscosity::VonNeumann, Pack<float>>);
+static_assert(!Viscosity<int> && !Viscosity<ViscosityWithoutRole> && !Viscosity<ViscosityWithoutPressure>);
+static_assert(!Viscosity<ViscosityWithoutSpeed> && !Viscosity<viscosity::None>, "None is not asked for anything");
 
 // ---- Shape
 

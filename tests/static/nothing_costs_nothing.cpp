@@ -13,6 +13,7 @@ inline constexpr bool same = std::is_same_v<std::remove_cv_t<A>, std::remove_cv_
 static_assert(std::is_empty_v<strength::None>);
 static_assert(std::is_empty_v<heat::None>);
 static_assert(std::is_empty_v<viscosity::None>);
+static_assert(std::is_empty_v<energy::Plastic> && std::is_empty_v<energy::Full>);
 static_assert(std::is_empty_v<sleep::Never>);
 static_assert(std::is_empty_v<execution::Serial>);
 
@@ -36,6 +37,7 @@ static_assert(sizeof(Material{hugoniot, plastic, heating}) == sizeof hugoniot + 
 // naming nothing is leaving it out
 static_assert(
     same<decltype(Material{bulk}), decltype(Material{bulk, strength::None{}, heat::None{}, viscosity::None{}})>);
+static_assert(same<decltype(Material{hugoniot, plastic}), decltype(Material{energy::Plastic{}, hugoniot, plastic})>);
 static_assert(same<decltype(Material{hugoniot, plastic}), decltype(Material{hugoniot, plastic, heat::None{}})>);
 
 // order does not matter, a copy is a copy

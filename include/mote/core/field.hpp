@@ -90,6 +90,21 @@ struct PlasticWork {
   using shape = shape_of::Scalar;
   static constexpr const char *name = "plastic_work", *unit = "J/kg";
 };
+/// Specific internal energy without the elastic shear energy, J/kg.
+struct InternalEnergy {
+  using shape = shape_of::Scalar;
+  static constexpr const char *name = "internal_energy", *unit = "J/kg";
+};
+/// Shock viscosity q of the last step, Pa, positive in compression.
+struct ViscousPressure {
+  using shape = shape_of::Scalar;
+  static constexpr const char *name = "viscous_pressure", *unit = "Pa";
+};
+/// Specific work that the shock viscosity has dissipated, J/kg.
+struct ViscousWork {
+  using shape = shape_of::Scalar;
+  static constexpr const char *name = "viscous_work", *unit = "J/kg";
+};
 struct Temperature {
   using shape = shape_of::Scalar;
   static constexpr const char *name = "temperature", *unit = "K";

@@ -25,6 +25,7 @@ struct Eos {};
 struct Strength {};
 struct Heat {};
 struct Viscosity {};
+struct Energy {};
 }  // namespace role
 
 /// A type that can fill the role R.

@@ -36,6 +36,10 @@ struct LinearBulk {
   T reference_heating(const T&) const {
     return T(0);
   }
+  template <class T>
+  T internal_energy(const T& x) const {
+    return reference_energy(x);
+  }
   double gamma_over_volume() const { return 0; }
   template <class T>
   auto admissible(const T& x) const {

@@ -6,12 +6,12 @@
 
 namespace mote::eos {
 
-/// P = P_H(x) + (gamma/V) (E - E_H), with gamma/V constant, x = V/V0 and q = 1 - x:
+/// P = P_H(x) + (gamma/V) (E - E_H), with gamma/V constant (eos::ConstantGamma: gamma constant), x = V/V0, q = 1 - x:
 ///
 ///   compression, x <= 1:  P_H = rho0 c0^2 q / (1 - lambda q)^2,   pole at x = 1 - 1/lambda
 ///   tension,     x >  1:  P_H = rho0 c0^2 q                        (negative; the paper's `x - 1` is a misprint)
 ///
-/// The energy `excess` = E - E_H comes from the material's closure; in Xu et al. it is the specific plastic work.
+/// The energy `excess` = E - E_H comes from the material's closure (energy/); in Xu et al. it is the plastic work.
 /// P_H and its first derivative are continuous at x = 1.
 /// Source: Xu, Zhang, Ying, Yu, equations for the Hugoniot pressure; Wilkins, Computer Simulation of Dynamic
 /// Phenomena (1999), ch. 3.
@@ -80,6 +80,12 @@ struct MieGruneisen {
     const T q = compression(T(1) - x);
     const T d = T(1) - T(lambda) * q;
     return T(-c0 * c0 * lambda) * q * q / (d * d * d);
+  }
+
+  /// E_H = P_H (V0 - V)/2, J/kg, the Rankine-Hugoniot energy; in tension, where P_H is linear, that of the isentrope.
+  template <class T>
+  T internal_energy(const T& x) const {
+    return T(0.5 / rho0) * hugoniot_pressure(x) * (T(1) - x);
   }
 
   double gamma_over_volume() const { return gamma0; }

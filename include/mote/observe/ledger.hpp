@@ -51,11 +51,12 @@ namespace detail {
 template <int D>
 struct LedgerSums {
   using P = Pack<double>;
-  P mass{0.0}, kinetic{0.0}, elastic{0.0}, plastic{0.0};
+  P mass{0.0}, kinetic{0.0}, elastic{0.0}, plastic{0.0}, viscous{0.0};
   Vec<P, D> momentum = Vec<P, D>::filled(P(0.0));
 
   LedgerSums& operator+=(const LedgerSums& b) {
     mass += b.mass, kinetic += b.kinetic, elastic += b.elastic, plastic += b.plastic, momentum += b.momentum;
+    viscous += b.viscous;
     return *this;
   }
 };
@@ -86,6 +87,7 @@ template <int D, class Material, class V>
   sums.kinetic += 0.5 * m * v2;
   sums.elastic += m * widened(material.elastic_energy(values));
   if constexpr (carries<V, field::PlasticWork>) sums.plastic += m * widened(get<field::PlasticWork>(values));
+  if constexpr (carries<V, field::ViscousWork>) sums.viscous += m * widened(get<field::ViscousWork>(values));
 }
 
 /// The ledger from the sums over particles and what the grid knows.
@@ -94,6 +96,7 @@ Ledger whole_ledger(const Solver& solver, const LedgerSums<Solver::dimension>& s
   Ledger all;
   all.mass = total(sums.mass), all.kinetic = total(sums.kinetic);
   all.elastic = total(sums.elastic), all.plastic = total(sums.plastic);
+  all.viscous = total(sums.viscous);
   const auto& grid = solver.ledger();
   all.load_work = grid.load_work, all.work = grid.work, all.wall_loss = grid.wall_loss;
   for (int a = 0; a < Solver::dimension; ++a) {

@@ -49,11 +49,12 @@ struct NodeFields {
 /// What a batch gathers for a task.
 template <Task task, class Shape, class Transfer, class T, int D>
 class BatchSums {
-  /// C is the gradient where the kernel's inertia is singular.
-  static constexpr bool singular = Shape::inertia == 0, affine = Transfer::affine && task != Task::deform;
+  static constexpr bool affine = Transfer::affine && task != Task::deform;
+  /// C is the gradient where the transfer says so, and where the kernel's inertia is singular.
+  static constexpr bool gradient = Shape::inertia == 0 || detail::takes_gradient<Transfer>;
   static constexpr bool has_second = task == Task::deform || Transfer::increment;
-  static constexpr Wanted of_velocity{task == Task::velocity_and_deform || (affine && singular), affine && !singular};
-  static constexpr Wanted of_second{task == Task::deform, false};
+  static constexpr Wanted of_velocity{task == Task::velocity_and_deform || (affine && gradient), affine && !gradient};
+  static constexpr Wanted of_second{task == Task::deform || (affine && detail::takes_gradient<Transfer>), false};
   SumColumns<of_velocity, T, D> velocity_;
   SumColumns<of_second, T, D> second_;
 
@@ -85,13 +86,14 @@ class BatchSums {
       if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = second_.value(p, i);
     }
     if constexpr (affine) {
-      const T scale = T(1 / (singular ? spacing : Shape::inertia * spacing));
+      const T scale = T(1 / (gradient ? spacing : Shape::inertia * spacing));
       for (int i = 0; i < D; ++i)
         for (int a = 0; a < D; ++a) {
-          if constexpr (singular)
+          if constexpr (gradient)
             g.affine(i, a) = scale * velocity_.slope(p, i, a);
           else
             g.affine(i, a) = scale * velocity_.moment(p, i, a);
+          if constexpr (of_second.slopes) g.affine_increment(i, a) = scale * second_.slope(p, i, a);
         }
     }
     return g;
@@ -152,7 +154,7 @@ class Reporter {
   template <class M, class V>
   void include(const M& material, const V& p) {
     using std::sqrt;
-    const Pack<T> c2 = material.sound_speed2(p), v2 = dot(get<field::Velocity>(p), get<field::Velocity>(p));
+    const Pack<T> c2 = material.signal_speed2(p), v2 = dot(get<field::Velocity>(p), get<field::Velocity>(p));
     const Pack<T> speed2 = c2 + v2 + T(2) * sqrt(c2 * v2), one = T(1);  // (c + |v|)^2, with one root
     speed2_ = max(speed2_, speed2);
     wrong_ = select(speed2 < Pack<T>(std::numeric_limits<T>::infinity()), wrong_, one);
@@ -166,8 +168,8 @@ class Reporter {
     for (std::uint32_t i = tile.first; largest(wrong_) > 0 && i < tile.first + tile.count; ++i) {
       Values<T, D, union_of<fields<field::Velocity>, particle_fields_of<typename B::Material>>> p;
       body.particles.load(i, p);
-      if (std::isfinite(norm(get<field::Velocity>(p))) && std::isfinite(body.material.sound_speed2(p)) &&
-          body.material.sound_speed2(p) >= 0 && body.material.admissible(p))
+      if (std::isfinite(norm(get<field::Velocity>(p))) && std::isfinite(body.material.signal_speed2(p)) &&
+          body.material.signal_speed2(p) >= 0 && body.material.admissible(p))
         continue;
       report.failed = i;
       break;
@@ -225,7 +227,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
       if constexpr (moves) {
         auto& x = get<field::Position>(p);
         x += grid_velocity.pic * Pack<T>(T(dt));
-        material.update(p, embed(sums.increment(i, dt_over_h)));
+        material.update(p, embed(sums.increment(i, dt_over_h)), {.dt = dt, .spacing = spacing});
         reporter.include(material, p);
         range.template include<Shape>(in_tile.in_cells(x));
       } else {

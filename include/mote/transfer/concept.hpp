@@ -16,10 +16,20 @@ struct GridVelocity {
   Vec<T, D> increment;  ///< sum w (v - v before the forces), m/s; only if the transfer states `increment`
   Mat<T, D> affine;     ///< D^-1-weighted moment sum w v (x_i - x_p)^T, or sum v grad w where D is singular, 1/s;
                         ///< only if the transfer states `affine`
+  Mat<T, D> affine_increment;  ///< sum (v - v before the forces) grad w, 1/s; only if the transfer states `gradient`
 };
+
+namespace detail {
+template <class X>
+inline constexpr bool takes_gradient = false;
+template <class X>
+requires requires { X::gradient; }
+inline constexpr bool takes_gradient<X> = X::gradient;
+}  // namespace detail
 
 /// X::affine       whether particles carry field::Affine and momentum m w (v + C (x_i - x_p)) goes to the grid
 /// X::increment    whether particles take the grid's change of velocity
+/// X::gradient     optional: whether the affine matrix is the velocity gradient, with its own increment
 /// x.kept()        the part of its own velocity that a particle keeps, 0 to 1
 /// x.update(values, grid)    sets the particle's field::Velocity (and field::Affine)
 template <class X>
