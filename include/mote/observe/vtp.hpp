@@ -124,7 +124,8 @@ class ParticleFrame {
   template <class Material, class Particles>
   void add_derived(const Material& material, const Particles& particles, std::size_t first) {
     using State = particle_fields_of<Material>;
-    constexpr bool strong = contains<State, field::DeviatoricStress>;
+    constexpr bool stores = contains<State, field::DeviatoricStress>;
+    constexpr bool strong = stores || requires(Values<T, D, State> values) { material.strength.stress(values); };
     Real* pressure = column("pressure", {0}) + first;
     Real* density = column("density", {0}) + first;
     Real* mises = strong ? column("von_mises_stress", {0}) + first : nullptr;
@@ -134,7 +135,11 @@ class ParticleFrame {
       pressure[p] = Real(material.pressure(values));
       density[p] = Real(material.rho0() / double(get<field::VolumeRatio>(values)));
       if constexpr (strong) {
-        const auto& s = get<field::DeviatoricStress>(values);
+        SymTensor<T> s{};
+        if constexpr (stores)
+          s = get<field::DeviatoricStress>(values);
+        else
+          s = deviator(material.strength.stress(values));
         mises[p] = Real(std::sqrt(1.5 * double(ddot(s, s))));
       }
     });
