@@ -38,7 +38,8 @@ namespace strength {
 
 /// Rotated stress plus 2 G dev(strain), the elastic predictor that the Jaumann rate implies.
 template <class V, class T>
-SymTensor<T> elastic_predictor(const V& values, const Kinematics<T>& k, double shear_modulus) {
+[[gnu::always_inline]] inline SymTensor<T> elastic_predictor(const V& values, const Kinematics<T>& k,
+                                                             double shear_modulus) {
   return rotate(k.rotation, get<field::DeviatoricStress>(values)) + T(2 * shear_modulus) * deviator(k.strain);
 }
 

@@ -17,19 +17,18 @@ struct ExponentialMap {
 
 namespace detail {
 
-/// The part of an increment `step` of s - alpha that is elastic: the larger a with |start + a step| = radius, in [0,
-/// 1].
+/// The part of an increment `step` that stays inside the unit ball: the larger a with |start + a step| = 1, in [0, 1].
 template <class T>
-T elastic_fraction(const SymTensor<T>& start, const SymTensor<T>& step, const T& radius) {
+T elastic_fraction(const SymTensor<T>& start, const SymTensor<T>& step) {
   using std::max;
   using std::min;
   using std::sqrt;
   const T a = max(ddot(step, step), T(1e-30)), b = ddot(start, step);
   // a start outside by round-off is one on the surface
-  const T c = min(ddot(start, start) - radius * radius, T(0));
+  const T c = min(ddot(start, start) - T(1), T(0));
   const T root = sqrt(b * b - a * c);
   // two forms of the same root, each without cancellation on its side
-  const T fraction = select(b > T(0), T(-c) / max(root + b, T(1e-30)), (root - b) / a);
+  const T fraction = select(b > T(0), T(-c / max(root + b, T(1e-30))), T((root - b) / a));
   return min(max(fraction, T(0)), T(1));
 }
 
@@ -53,6 +52,7 @@ ExponentialMap<T> exponential_map(const SymTensor<T>& start, const SymTensor<T>&
   using std::exp;
   using std::expm1;
   using std::log;
+  using std::log1p;
   using std::max;
   using std::sqrt;
   const double g2 = 2 * shear_modulus, rigid = g2 + law.kinematic * (2.0 / 3), h = law.isotropic * (2.0 / 3),
@@ -64,14 +64,19 @@ ExponentialMap<T> exponential_map(const SymTensor<T>& start, const SymTensor<T>&
   for (auto& c : out.plastic_strain.c) c = T(0);
   if (all_of(elastic)) return out;
 
-  const T a = detail::elastic_fraction(start, step, radius);
+  const T a = detail::elastic_fraction(start * (T(1) / radius), step * (T(1) / radius));
   const SymTensor<T> contact = start + a * step, rest = (T(1) - a) * step;
   const T size = max(sqrt(ddot(rest, rest)), T(1e-30));
   const SymTensor<T> n0 = contact * (T(1) / max(sqrt(ddot(contact, contact)), T(1e-30))), e = rest * (T(1) / size);
   const T c = max(ddot(n0, e), T(0));  // outward: the flow begins where the path leaves the elastic ball
 
-  const T half = sqrt(radius * radius + radius * size * c + T(0.25) * size * size);  // |radius n0 + rest/2|
-  const T theta = size / (radius + T(h / k) * (half - radius));
+  T theta = size / radius;
+  if (law.isotropic > 0) {
+    // over the mean radius: the logarithmic one between its start and where a radial return would end
+    const T back = sqrt(radius * radius + T(2) * radius * size * c + size * size);  // |radius n0 + rest|
+    const T growth = max(T(h / k) * (back - radius) / radius, T(1e-30));
+    theta = theta * log1p(growth) / growth;
+  }
   const T q = exp(-theta), q2 = q * q;
   const T x = T(0.5) * ((T(1) + c) + (T(1) - c) * q2);  // X exp(-theta), in [1/2, 1]
   const T log_x = max(theta + log(x), T(0));
