@@ -160,14 +160,14 @@ class Material {
       return {{-p, -p, -p, T(0), T(0), T(0)}};
   }
 
-  /// Square of the longitudinal sound speed, m^2/s^2: c_bulk^2 + 4 G/(3 rho), or what the strength says for the latter.
+  /// Square of the longitudinal sound speed, m^2/s^2: c_bulk^2 + 4 G/(3 rho), or what the strength makes of c_bulk^2.
   template <class V>
   auto sound_speed2(const V& values) const {
     using T = typename V::number;
     const T x = get<field::VolumeRatio>(values);
     T c2 = eos.bulk_sound_speed2(x, excess_energy(values));
-    if constexpr (requires { strength.wave_modulus(values); })
-      c2 += strength.wave_modulus(values) * T(1 / eos.rho0);
+    if constexpr (requires { strength.wave_modulus(values, x); })
+      c2 = strength.wave_modulus(values, T(eos.rho0) * c2) * T(1 / eos.rho0);
     else if constexpr (requires { strength.shear_modulus; })
       c2 += T(4.0 / 3 * strength.shear_modulus / eos.rho0) * x;
     return c2;

@@ -22,7 +22,8 @@ namespace mote {
 ///
 ///   stress(values)               its part of the Cauchy stress, Pa; a trace adds to the pressure
 ///   elastic_energy(values)       recoverable, J per m^3 of initial volume; default |s|^2/(4 G) J
-///   wave_modulus(values)         its part of rho0 c^2 of the fastest wave, Pa; default 4/3 G J
+///   wave_modulus(values, bulk)   rho0 c^2 of the fastest wave, Pa, where the volume alone makes `bulk` of it; default
+///                                bulk + 4/3 G J
 ///   initialise(values)           sets fields that begin neither at zero nor at their tag's `initial`
 ///
 /// In `update`, field::VolumeRatio is already that at the end of the increment.

@@ -54,20 +54,37 @@ struct NeoHookean {
     return T(T(0.5 * shear_modulus) * (stretched - T(2) * log(get<field::VolumeRatio>(values))));
   }
 
-  /// What it adds to rho0 c^2 of the fastest wave, Pa: mu (1 + largest eigenvalue of b).
+  /// rho0 c^2 of the fastest wave, Pa, where the volume alone makes `bulk` of it: mu (largest eigenvalue of b) + (mu +
+  /// bulk, or 0 where that is negative and transverse waves are faster).
   ///
-  /// The acoustic tensor along n is rho0 Q = mu (n . b n) I + (mu + lambda (1 - ln J)) n n^T. The eigenvalue is taken
-  /// as tr b/3 + sqrt(2/3) |dev b|: that of a body stretched along one axis, else too large by at most a third of tr b.
-  template <class V>
-  auto wave_modulus(const V& values) const {
-    using T = typename V::number;
-    using std::sqrt;
-    const auto& b = get<field::LeftCauchyGreen>(values);
-    const SymTensor<T> d = deviator(b);
-    return T(T(shear_modulus) * (T(1) + T(1.0 / 3) * trace(b) + sqrt(T(2.0 / 3) * ddot(d, d))));
+  /// The acoustic tensor along n is rho0 Q = mu (n . b n) I + (mu + lambda (1 - ln J)) n n^T. On a grid of one or two
+  /// dimensions only n in the grid counts, and the eigenvalue is exact; in three it is taken as tr b/3 + sqrt(2/3)
+  /// |dev b|: exact for a body stretched along one axis, too large by at most a third of tr b.
+  template <class V, class T>
+  T wave_modulus(const V& values, const T& bulk) const {
+    using std::max;
+    return T(shear_modulus) * largest(values) + max(T(shear_modulus) + bulk, T(0));
   }
 
   friend bool operator==(const NeoHookean&, const NeoHookean&) = default;
+
+ private:
+  /// The largest n . b n of directions in the grid, or a bound.
+  template <class V>
+  static auto largest(const V& values) {
+    using T = typename V::number;
+    using std::sqrt;
+    const auto& b = get<field::LeftCauchyGreen>(values);
+    if constexpr (V::dimension == 1) {
+      return b(0, 0);
+    } else if constexpr (V::dimension == 2) {
+      const T mean = T(0.5) * (b(0, 0) + b(1, 1)), half = T(0.5) * (b(0, 0) - b(1, 1));
+      return T(mean + sqrt(half * half + b(0, 1) * b(0, 1)));
+    } else {
+      const SymTensor<T> d = deviator(b);
+      return T(T(1.0 / 3) * trace(b) + sqrt(T(2.0 / 3) * ddot(d, d)));
+    }
+  }
 };
 
 }  // namespace mote::strength

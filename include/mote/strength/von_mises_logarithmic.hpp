@@ -12,8 +12,8 @@ namespace mote::strength {
 /// One increment moves b_e by (I + A) b_e (I + A)^T, and a radial return in h, which leaves its principal axes alone,
 /// brings the stress back to sqrt(3/2) |s| = Y + H eps_p. So the elastic part has an energy, takes no work on closed
 /// paths, whatever their steps, and is exact for any increment and under any rotation. The Jaumann rate of
-/// strength::VonMises costs a third of it and agrees to second order in the elastic strain, and while yield keeps this
-/// small, that is enough.
+/// strength::VonMises costs a sixth of it and agrees to second order in the elastic strain; where yield keeps that
+/// small it is enough.
 ///
 /// Needs field::DeviatoricStress, field::PlasticStrain and field::VolumeRatio: h is kept as the stress that it makes,
 /// so that nothing is stored beyond the fields of strength::VonMises. Source: Simo, CMAME 99 (1992) 61; Weber and
@@ -56,16 +56,17 @@ struct VonMisesLogarithmic {
     return T(T(0.25 / shear_modulus) * x * x * ddot(s, s));
   }
 
-  /// What shear adds to rho0 c^2 of the fastest wave, Pa: 4/3 G at rest, and a bound for any elastic strain.
+  /// rho0 c^2 of the fastest wave, Pa, where the volume alone makes `bulk` of it: bulk + 4/3 G at rest, and a bound for
+  /// any elastic strain.
   ///
-  /// A wave along a principal axis 1 has 4/3 G - J s_1 if longitudinal and 2 G d/(1 - exp(-2 d)) <= G (1 + 2 |d|) with
-  /// d = h_1 - h_2 if transverse; 2 G |d| <= sqrt(2) |J s|.
-  template <class V>
-  auto wave_modulus(const V& values) const {
-    using T = typename V::number;
+  /// To bulk a longitudinal wave along a principal axis 1 adds 4/3 G - J s_1. A transverse one has 2 G d/(1 - exp(-2
+  /// d))
+  /// <= G (1 + 2 |d|) with d = h_1 - h_2, and 2 G |d| <= sqrt(2) |J s|.
+  template <class V, class T>
+  T wave_modulus(const V& values, const T& bulk) const {
     using std::sqrt;
     const auto& s = get<field::DeviatoricStress>(values);
-    return T(T(4.0 / 3 * shear_modulus) + get<field::VolumeRatio>(values) * sqrt(T(2) * ddot(s, s)));
+    return bulk + T(4.0 / 3 * shear_modulus) + get<field::VolumeRatio>(values) * sqrt(T(2) * ddot(s, s));
   }
 
   friend bool operator==(const VonMisesLogarithmic&, const VonMisesLogarithmic&) = default;
