@@ -192,7 +192,10 @@ class Material {
   /// Pressure, Pa, positive in compression, without the shock viscosity.
   template <class V>
   auto pressure(const V& values) const {
-    return eos.pressure(get<field::VolumeRatio>(values), energy.excess(values, eos));
+    using T = typename V::number;
+    T p = eos.pressure(get<field::VolumeRatio>(values), energy.excess(values, eos));
+    if constexpr (requires { strength.stress(values); }) p -= T(1.0 / 3) * trace(strength.stress(values));
+    return p;
   }
 
   /// Cauchy stress, Pa, tension positive, with the shock viscosity.
@@ -201,19 +204,24 @@ class Material {
     using T = typename V::number;
     T p = pressure(values);
     if constexpr (viscous) p += get<field::ViscousPressure>(values);
-    if constexpr (carries<V, field::DeviatoricStress>)
+    if constexpr (requires { strength.stress(values); })
+      return add_diagonal(deviator(strength.stress(values)), T(-p));
+    else if constexpr (carries<V, field::DeviatoricStress>)
       return add_diagonal(get<field::DeviatoricStress>(values), T(-p));
     else
       return {{-p, -p, -p, T(0), T(0), T(0)}};
   }
 
-  /// Square of the longitudinal sound speed, m^2/s^2: c_bulk^2 + 4 G/(3 rho).
+  /// Square of the longitudinal sound speed, m^2/s^2: c_bulk^2 + 4 G/(3 rho), or what the strength makes of c_bulk^2.
   template <class V>
   auto sound_speed2(const V& values) const {
     using T = typename V::number;
     const T x = get<field::VolumeRatio>(values);
     T c2 = energy.bulk_sound_speed2(values, eos);
-    if constexpr (requires { strength.shear_modulus; }) c2 += T(4.0 / 3 * strength.shear_modulus / eos.rho0) * x;
+    if constexpr (requires { strength.wave_modulus(values, x); })
+      c2 = strength.wave_modulus(values, T(eos.rho0) * c2) * T(1 / eos.rho0);
+    else if constexpr (requires { strength.shear_modulus; })
+      c2 += T(4.0 / 3 * strength.shear_modulus / eos.rho0) * x;
     return c2;
   }
 
@@ -228,13 +236,15 @@ class Material {
   }
 
   /// Recoverable specific energy, J/kg: what the pressure took up (energy/concept.hpp; by default the work along the
-  /// reference curve) and the elastic shear |s|^2/(4 G rho).
+  /// reference curve) and the elastic shear |s|^2/(4 G rho), or what the strength says for the latter.
   template <class V>
   auto elastic_energy(const V& values) const {
     using T = typename V::number;
     const T x = get<field::VolumeRatio>(values);
     T e = energy.pressure_work(values, eos);
-    if constexpr (carries<V, field::DeviatoricStress> && requires { strength.shear_modulus; }) {
+    if constexpr (requires { strength.elastic_energy(values); }) {
+      e += strength.elastic_energy(values) * T(1 / eos.rho0);
+    } else if constexpr (carries<V, field::DeviatoricStress> && requires { strength.shear_modulus; }) {
       const auto& s = get<field::DeviatoricStress>(values);
       e += T(0.25 / (strength.shear_modulus * eos.rho0)) * x * ddot(s, s);
     }

@@ -13,6 +13,7 @@
 #include <mote/core/pack.hpp>
 #include <mote/core/rearrange.hpp>
 #include <mote/core/role.hpp>
+#include <mote/core/spectral.hpp>
 #include <mote/core/tensor.hpp>
 #include <mote/core/vec.hpp>
 #include <mote/core/vector_field.hpp>
@@ -24,6 +25,7 @@
 #include <mote/eos/constant_gamma.hpp>
 #include <mote/eos/ideal_gas.hpp>
 #include <mote/eos/linear_bulk.hpp>
+#include <mote/eos/logarithmic_bulk.hpp>
 #include <mote/eos/mie_gruneisen.hpp>
 #include <mote/eos/tension_cutoff.hpp>
 #include <mote/exact/axis_aligned.hpp>
@@ -97,9 +99,17 @@
 #include <mote/solver.hpp>
 #include <mote/strength/concept.hpp>
 #include <mote/strength/elastic.hpp>
+#include <mote/strength/exponential_map.hpp>
+#include <mote/strength/hardening.hpp>
 #include <mote/strength/kinematics.hpp>
+#include <mote/strength/neo_hookean.hpp>
 #include <mote/strength/none.hpp>
+#include <mote/strength/radial_return.hpp>
 #include <mote/strength/von_mises.hpp>
+#include <mote/strength/von_mises_exponential.hpp>
+#include <mote/strength/von_mises_logarithmic.hpp>
+#include <mote/strength/von_mises_mixed.hpp>
+#include <mote/strength/von_mises_mixed_exponential.hpp>
 #include <mote/timestep/cfl.hpp>
 #include <mote/timestep/concept.hpp>
 #include <mote/timestep/fixed.hpp>

@@ -56,6 +56,17 @@ static_assert(bytes<2, double, QuadraticBSpline, Apic, Aluminium> == 17 * 8 + id
 static_assert(bytes<3, float, Linear, Flip, Aluminium> == 17 * 4 + id);
 static_assert(bytes<3, float, QuadraticBSpline, Apic, Aluminium> == 26 * 4 + id);
 
+// only mixed hardening stores a back stress; logarithmic strain and the exponential map store nothing more
+template <class Strength>
+using Metal = decltype(Material{eos::MieGruneisen{}, Strength{}, heat::Adiabatic{}});
+static_assert(bytes<3, double, Linear, Flip, Metal<strength::VonMisesMixed>> == 140 + 6 * 8);
+static_assert(bytes<3, double, Linear, Flip, Metal<strength::VonMisesMixedExponential>> == 140 + 6 * 8);
+static_assert(bytes<3, double, Linear, Flip, Metal<strength::VonMisesExponential>> == 140);
+static_assert(bytes<3, double, Linear, Flip, Metal<strength::VonMisesLogarithmic>> == 140);
+// position, velocity, mass, volume ratio, b of 3 numbers
+static_assert(bytes<1, double, Linear, Flip, decltype(Material{eos::LogarithmicBulk{}, strength::NeoHookean{}})> ==
+              7 * 8 + id);
+
 // neither shape functions, update orders nor executors add columns
 static_assert(bytes<3, double, QuadraticBSpline, Flip, Aluminium> == bytes<3, double, Linear, Flip, Aluminium>);
 static_assert(bytes<3, double, CubicBSpline, Apic, Aluminium> == bytes<3, double, QuadraticBSpline, Apic, Aluminium>);

@@ -80,6 +80,16 @@ struct DeviatoricStress {
   using shape = shape_of::Symmetric;
   static constexpr const char *name = "deviatoric_stress", *unit = "Pa";
 };
+/// The back stress alpha of kinematic hardening, the centre of the yield surface; a deviator, tension positive.
+struct BackStress {
+  using shape = shape_of::Symmetric;
+  static constexpr const char *name = "back_stress", *unit = "Pa";
+};
+/// The left Cauchy-Green tensor b = F F^T, the identity at rest (a policy that declares it sets it so in `initialise`).
+struct LeftCauchyGreen {
+  using shape = shape_of::Symmetric;
+  static constexpr const char *name = "left_cauchy_green", *unit = "1";
+};
 /// Equivalent plastic strain, int sqrt(2/3) |de_p|.
 struct PlasticStrain {
   using shape = shape_of::Scalar;

@@ -213,6 +213,14 @@ Simd<T, N> exp(const Simd<T, N>& a) {
   return detail::by_lane(a, [](T x) { return std::exp(x); });
 }
 template <class T, int N>
+Simd<T, N> expm1(const Simd<T, N>& a) {
+  return detail::by_lane(a, [](T x) { return std::expm1(x); });
+}
+template <class T, int N>
+Simd<T, N> log1p(const Simd<T, N>& a) {
+  return detail::by_lane(a, [](T x) { return std::log1p(x); });
+}
+template <class T, int N>
 Simd<T, N> log(const Simd<T, N>& a) {
   return detail::by_lane(a, [](T x) { return std::log(x); });
 }

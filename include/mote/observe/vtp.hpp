@@ -91,7 +91,10 @@ class ParticleFrame {
 
   template <class Material, class Particles, class... Tags>
   void add(const Material& material, const Particles& particles, std::size_t first, fields<Tags...>) {
-    constexpr bool strong = contains<particle_fields_of<Material>, field::DeviatoricStress>;
+    using State = particle_fields_of<Material>;
+    constexpr bool strong =
+        contains<State, field::DeviatoricStress> ||
+        requires(Values<typename Solver::number, D, State> values) { material.strength.stress(values); };
     std::vector<std::size_t> of_fields;
     const auto find = [&]<class Tag>(Tag) {
       if constexpr (!left_out<Tag>) of_fields.push_back(column(Tag::name, parities_of<Tag>()));
@@ -107,12 +110,16 @@ class ParticleFrame {
       };
       (copy(Tags{}), ...);
       for (std::size_t p = from; p < to; ++p) {
-        Values<typename Solver::number, D, particle_fields_of<Material>> values;
+        Values<typename Solver::number, D, State> values;
         particles.load(p, values);
         columns_[pressure].data.put(first + p, double(material.pressure(values)));
         columns_[density].data.put(first + p, material.rho0() / double(get<field::VolumeRatio>(values)));
         if constexpr (strong) {
-          const auto& s = get<field::DeviatoricStress>(values);
+          SymTensor<typename Solver::number> s{};
+          if constexpr (contains<State, field::DeviatoricStress>)
+            s = get<field::DeviatoricStress>(values);
+          else
+            s = deviator(material.strength.stress(values));
           columns_[mises].data.put(first + p, std::sqrt(1.5 * double(ddot(s, s))));
         }
       }

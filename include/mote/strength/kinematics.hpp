@@ -16,8 +16,10 @@ struct Kinematics {
   Mat<T, 3> rotation;   ///< orthogonal
   SymTensor<T> strain;  ///< mid-point strain increment, in the unrotated mid-point frame
   T volume_factor;      ///< J_new / J_old = det(I + A)
+  Mat<T, 3> increment;  ///< A itself: F_new = (I + A) F_old
 
-  explicit Kinematics(const Mat<T, 3>& a) {
+  // inlined, so that who does not read the increment does not copy it
+  [[gnu::always_inline]] explicit Kinematics(const Mat<T, 3>& a) : increment(a) {
     const Mat<T, 3> eye = Mat<T, 3>::identity();
     volume_factor = det(eye + a);
     const Mat<T, 3> g = a * inverse(eye + T(0.5) * a);
