@@ -70,7 +70,7 @@ static_assert(One::bytes_per_particle<0> == 140 && One::bodies == 1);
 
 // a body is its material, its columns and the range of its tiles; a solver grows by a body with each material
 template <class M>
-using BodyOf = passes::Body<std::remove_cv_t<M>, double, 3, Flip>;
+using BodyOf = passes::Body<std::remove_cv_t<M>, double, 3, Flip, Linear>;
 static_assert(sizeof(BodyOf<Aluminium>) ==
               sizeof(Aluminium) + sizeof(Particles<double, 3, BodyOf<Aluminium>::list>) + 2 * sizeof(std::uint32_t));
 static_assert(sizeof(Twins) == sizeof(One) + sizeof(BodyOf<Aluminium>));

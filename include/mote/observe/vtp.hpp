@@ -13,6 +13,8 @@ template <class Tag>
 std::vector<unsigned> parities_of() {
   if constexpr (std::is_same_v<typename Tag::shape, shape_of::Scalar>) {
     return {0};
+  } else if constexpr (std::is_same_v<Tag, field::HalfSize>) {
+    return {0, 0, 0};  // a size has no direction
   } else if constexpr (std::is_same_v<typename Tag::shape, shape_of::Vector>) {
     return {parity(0), parity(1), parity(2)};
   } else if constexpr (std::is_same_v<typename Tag::shape, shape_of::Symmetric>) {
