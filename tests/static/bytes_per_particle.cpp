@@ -52,7 +52,12 @@ static_assert(bytes<2, double, QuadraticBSpline, Apic, Aluminium> == 17 * 8 + id
 static_assert(bytes<3, float, Linear, Flip, Aluminium> == 17 * 4 + id);
 static_assert(bytes<3, float, QuadraticBSpline, Apic, Aluminium> == 26 * 4 + id);
 
-// neither shape functions, update orders nor executors add columns
+// GIMP adds the half size 3
+static_assert(bytes<3, double, shape::Gimp, Flip, Aluminium> == 20 * 8 + id);
+static_assert(bytes<3, double, shape::ContiguousGimp, Apic, Aluminium> == 29 * 8 + id);
+static_assert(bytes<1, float, shape::ContiguousGimp, Flip, Aluminium> == 11 * 4 + id);
+
+// neither other shape functions, update orders nor executors add columns
 static_assert(bytes<3, double, QuadraticBSpline, Flip, Aluminium> == bytes<3, double, Linear, Flip, Aluminium>);
 static_assert(bytes<3, double, CubicBSpline, Apic, Aluminium> == bytes<3, double, QuadraticBSpline, Apic, Aluminium>);
 static_assert(decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, update::Musl{}, execution::Threads{},

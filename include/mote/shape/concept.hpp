@@ -14,12 +14,14 @@ namespace mote {
 template <class S>
 inline constexpr bool sized = contains<particle_fields_of<S>, field::HalfSize>;
 
+namespace detail {
 /// Whether S has weights and slopes, from a place and, if it wants one, a half size.
 template <class S, class... Half>
-concept Kernel = requires(double f, Half... half, double* out) {
+concept HasWeights = requires(double f, Half... half, double* out) {
   S::values(f, half..., out);
   S::slopes(f, half..., out);
 };
+}  // namespace detail
 
 /// With xi = (x - origin)/h, lowest node b = floor(xi - S::first) and f = xi - b in [first, first + 1):
 ///
@@ -41,6 +43,6 @@ concept Shape = HasRole<S, role::Shape> && requires {
   { S::first } -> std::convertible_to<double>;
   { S::inertia } -> std::convertible_to<double>;
 }
-&&(sized<S> ? Kernel<S, double> : Kernel<S>);
+&&(sized<S> ? detail::HasWeights<S, double> : detail::HasWeights<S>);
 
 }  // namespace mote

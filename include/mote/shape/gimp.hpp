@@ -8,17 +8,18 @@
 
 namespace mote::shape {
 
-/// GIMP with domains of constant size ("uniform"): w_i is the mean of the hat of node i over [x - l, x + l], with a half
-/// size l per axis, field::HalfSize. fill() sets it to half a particle distance, spacing / (2 per_axis); it stays that.
+/// GIMP with domains of constant size ("uniform"): w_i is the mean of the hat of node i over [x - l, x + l], with a
+/// half size l per axis, field::HalfSize. fill() sets it to half a particle distance, spacing / (2 per_axis); it stays
+/// that.
 ///
 /// With l <= h/2 a domain lies in two cells at most, so three nodes per axis suffice, those of the quadratic B-spline.
 /// l = h/2 (per_axis = 1) is the quadratic B-spline, l -> 0 the linear hat. The gradient is continuous, its slope at
 /// most 1/(l h): the smaller l, the nearer to the cell-crossing noise of hats, and (grad w)^2/w <= 1/(l h).
 ///
 /// Outside [1e-6 h, h/2] the kernel takes the nearer end; the column keeps what it holds. That is met by
-/// ContiguousGimp in strong tension: beyond h/2 (a stretch of `per_axis`) domains leave gaps between each other. Weights
-/// still sum to one and reproduce linear functions, but nodes between two particles may be left without mass: the body
-/// tears where the mesh says so (numerical fracture), as with B-splines.
+/// ContiguousGimp in strong tension: beyond h/2 (a stretch of `per_axis`) domains leave gaps between each other.
+/// Weights still sum to one and reproduce linear functions, but nodes between two particles may be left without mass:
+/// the body tears where the mesh says so (numerical fracture), as with B-splines.
 ///
 /// With transfer::Apic the inertia depends on place and size, so C = sum v (x) grad w as with hats; angular momentum is
 /// then not conserved to round-off. Source: Bardenhagen, Kober, CMES 5 (2004) 477.
