@@ -158,7 +158,7 @@ class ParticleFrame {
 /// parts declare, yours too, under its name; but for mass, the affine matrix and the stress deviator. With several
 /// bodies there is `body` too, 0 for the first material given to the solver, and what a body lacks is nan (threshold by
 /// `body`, or let ParaView paint nan in a colour of its own). Two- and one-dimensional vectors are padded with zeros.
-/// Images carry the id of their particle; a vector is mirrored as velocity is. Throws OutputError.
+/// Images carry the id of their particle; a vector is mirrored as velocity is, but for half_size. Throws OutputError.
 struct Vtp {
   std::filesystem::path stem = {};  ///< e.g. "frames/particles"; directories are made
   double every = 0.5e-9;            ///< s, > 0
