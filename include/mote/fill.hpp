@@ -21,8 +21,8 @@ struct Fill {
 };
 
 /// Appends the particles of a region to a body; what lies beyond the domain's boundaries is left out. A region that
-/// reaches across a symmetry plane so gives exactly a part of the whole body. A half size is that of the lattice, also of
-/// a particle that was cut: a small one at the surface would bring the noise of hats there. \return how many
+/// reaches across a symmetry plane so gives exactly a part of the whole body. A half size is that of the lattice, also
+/// of a particle that was cut: a small one at the surface would bring the noise of hats there. \return how many
 template <class T, class B, class R, class M, int D>
 std::size_t append_fill(B& body, const R& region, const M& material, const Fill<D>& how,
                         const passes::Frame<T, D>& frame, const grid::Domain<D>& domain, std::size_t next_id) {

@@ -78,7 +78,8 @@ TEMPLATE_TEST_CASE("any number of threads gives the same bits", "[solver][execut
 
 /// Metal in a channel: it moves through the blocks, but never to more of them than before.
 TEMPLATE_TEST_CASE("a warm step allocates nothing, with a sort or without", "[solver][execution]",
-                   schemes::QuadraticApicUsl, schemes::LinearFlipMusl, schemes::CubicFlipMusl, schemes::ContiguousGimpFlipMusl) {
+                   schemes::QuadraticApicUsl, schemes::LinearFlipMusl, schemes::CubicFlipMusl,
+                   schemes::ContiguousGimpFlipMusl) {
   const int threads = GENERATE(1, 2);
   Solver solver{grid::Cartesian<3>{.spacing = h},
                 typename TestType::Shape{},
