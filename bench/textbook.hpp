@@ -17,7 +17,7 @@
 
 namespace textbook {
 
-enum class Shape { linear, quadratic, cubic };
+enum class Shape { linear, quadratic, cubic, gimp, contiguous_gimp };
 enum class Transfer { flip, apic };
 enum class Update { usl, musl };
 
@@ -28,16 +28,18 @@ struct Particles {
   std::array<Column, 3> x, v;
   std::array<Column, 6> s;
   std::array<Column, 9> C;  ///< row-major, only with APIC
+  std::array<Column, 3> l;  ///< half sizes, only with GIMP
   std::size_t size() const { return m.size(); }
 };
 
 /// The loop. Fill it with add(), move it with step(dt); everything may be read and written between steps.
 template <Shape S, Transfer T, Update U>
 class Loop : public Grid {
-  static constexpr int N = S == Shape::linear ? 2 : (S == Shape::quadratic ? 3 : 4);
+  static constexpr int N = S == Shape::linear ? 2 : (S == Shape::cubic ? 4 : 3);
   static constexpr int ghosts = N / 2;  // of a particle up to half a cell beyond a plane
   static constexpr bool apic = T == Transfer::apic, flip = !apic, musl = U == Update::musl, usl = !musl;
-  static constexpr bool moments = apic && S != Shape::linear;  // else C is the velocity gradient
+  static constexpr bool gimp = S == Shape::gimp || S == Shape::contiguous_gimp;
+  static constexpr bool moments = apic && S != Shape::linear && !gimp;  // else C is the velocity gradient
 
  public:
   Metal metal;
@@ -49,7 +51,7 @@ class Loop : public Grid {
   explicit Loop(const Box& where, const Metal& material = {})
       : Grid(where, ghosts), metal(material), inverse(1 / where.spacing) {}
 
-  /// Adds a particle at rest density.
+  /// Adds a particle at rest density; with GIMP a quarter of a cell is half its edge.
   void add(const Vector& x, const Vector& v, double mass, double temperature = 300) {
     Particles& P = particles;
     P.m.push_back(mass);
@@ -58,6 +60,8 @@ class Loop : public Grid {
     for (auto* column : {&P.strain, &P.work}) column->push_back(0);
     for (int a = 0; a < 3; ++a) P.x[a].push_back(x[a]), P.v[a].push_back(v[a]);
     for (auto& column : P.s) column.push_back(0);
+    if (gimp)
+      for (auto& column : P.l) column.push_back(0.25 * box.spacing);
     if (apic)
       for (auto& column : P.C) column.push_back(0);
     if (musl)
@@ -104,6 +108,19 @@ class Loop : public Grid {
       } else if constexpr (S == Shape::quadratic) {
         w[0] = 0.5 * (1.5 - f) * (1.5 - f), w[1] = 0.75 - (f - 1) * (f - 1), w[2] = 0.5 * (f - 0.5) * (f - 0.5);
         d[0] = (f - 1.5) * inverse, d[1] = 2 * (1 - f) * inverse, d[2] = (f - 0.5) * inverse;
+      } else if constexpr (gimp) {  // the three pieces of Bardenhagen and Kober (2004)
+        const double l = std::min(0.5, particles.l[a][p] * inverse);
+        for (int k = 0; k < N; ++k) {
+          const double r = std::abs(f - k), sign = k < f ? inverse : -inverse;
+          if (r < l)
+            w[k] = 1 - (r * r + l * l) / (2 * l), d[k] = -r / l * sign;
+          else if (r < 1 - l)
+            w[k] = 1 - r, d[k] = -sign;
+          else if (r < 1 + l)
+            w[k] = (1 + l - r) * (1 + l - r) / (4 * l), d[k] = -(1 + l - r) / (2 * l) * sign;
+          else
+            w[k] = d[k] = 0;
+        }
       } else {  // |r|^3/2 - r^2 + 2/3 within a cell of the particle, (2 - |r|)^3/6 beyond
         for (int k = 0; k < N; ++k) {
           const double r = std::abs(f - k), outer = 2 - r;
@@ -247,6 +264,7 @@ class Loop : public Grid {
     for (int c = 0; c < 6; ++c) P.s[c][p] = state.s[c];
     P.J[p] = state.J, P.strain[p] = state.strain, P.work[p] = state.work, P.temperature[p] = state.temperature;
     for (int a = 0; a < 3; ++a) {
+      if constexpr (S == Shape::contiguous_gimp) P.l[a][p] *= 1 + g.gradient[a][a];
       double& x = P.x[a][p];
       x += dt * (musl ? drift[a][p] : g.v[a]);
       if (!box.periodic[a]) continue;

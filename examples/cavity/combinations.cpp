@@ -23,9 +23,12 @@ const Combination* find(const Options& o, const std::array<Combination, N>&... t
 }  // namespace
 
 const Combination& find_combination(const Options& o) {
-  const auto* found = find(o, linear_flip, linear_apic, quadratic_flip, quadratic_apic, cubic_flip, cubic_apic,
-                           linear_flip_float, quadratic_apic_float, cubic_apic_float);
+  const auto* found = find(o, linear_flip, linear_apic, gimp_flip, quadratic_flip, quadratic_apic, cubic_flip,
+                           cubic_apic, linear_flip_float, quadratic_apic_float, cubic_apic_float);
   if (found) return *found;
+  if ((o.shape == Shape::gimp || o.shape == Shape::cpgimp) && o.transfer != Transfer::flip)
+    throw BadOption(mote::text("--transfer ", to_string(o.transfer), " is not available with --shape ",
+                               to_string(o.shape), "; it needs --transfer flip"));
   throw BadOption(mote::text("--precision ", to_string(o.precision), " is not available with --shape ",
                              to_string(o.shape), " --transfer ", to_string(o.transfer), " --update ",
                              to_string(o.update),

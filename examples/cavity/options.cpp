@@ -39,8 +39,13 @@ struct Words {
   }
 };
 
-const Words<Shape> shapes{
-    "shape", {{"linear", Shape::linear}, {"quadratic", Shape::quadratic}, {"cubic", Shape::cubic}}, {"gimp"}};
+// gimp is what other codes call so: domains of constant size; those of cpgimp follow the particles' stretch
+const Words<Shape> shapes{"shape",
+                          {{"linear", Shape::linear},
+                           {"gimp", Shape::gimp},
+                           {"cpgimp", Shape::cpgimp},
+                           {"quadratic", Shape::quadratic},
+                           {"cubic", Shape::cubic}}};
 const Words<Transfer> transfers{"transfer", {{"flip", Transfer::flip}, {"apic", Transfer::apic}}, {"xpic"}};
 const Words<Update> updates{"update", {{"usl", Update::usl}, {"musl", Update::musl}}, {"usf"}};
 const Words<Precision> precisions{"precision", {{"double", Precision::double_}, {"float", Precision::single_}}};

@@ -10,7 +10,7 @@
 
 namespace cavity {
 
-enum class Shape { linear, quadratic, cubic };
+enum class Shape { linear, gimp, cpgimp, quadratic, cubic };
 enum class Transfer { flip, apic };
 enum class Update { usl, musl };
 enum class Precision { single_, double_ };

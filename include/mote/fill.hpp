@@ -21,7 +21,8 @@ struct Fill {
 };
 
 /// Appends the particles of a region to a body; what lies beyond the domain's boundaries is left out. A region that
-/// reaches across a symmetry plane so gives exactly a part of the whole body. \return how many
+/// reaches across a symmetry plane so gives exactly a part of the whole body. A half size is that of the lattice, also
+/// of a particle that was cut: a small one at the surface would bring the noise of hats there. \return how many
 template <class T, class B, class R, class M, int D>
 std::size_t append_fill(B& body, const R& region, const M& material, const Fill<D>& how,
                         const passes::Frame<T, D>& frame, const grid::Domain<D>& domain, std::size_t next_id) {
@@ -48,6 +49,8 @@ std::size_t append_fill(B& body, const R& region, const M& material, const Fill<
       set_fields(p, at_rest, particle_fields_of<M>{});
       get<field::Position>(p) = cast<T>(seeds[i].position);
       get<field::Velocity>(p) = cast<T>(how.velocity(seeds[i].position));
+      if constexpr (contains<All, field::HalfSize>)
+        get<field::HalfSize>(p) = Vec<T, D>::filled(T(0.5 * frame.spacing / how.per_axis));
       get<field::Mass>(p) = T(material.rho0() * seeds[i].volume);
       particles.set_all(first + i, p);
       particles.template column<field::Id>()[first + i] = std::uint32_t(next_id + i);

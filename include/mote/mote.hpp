@@ -91,6 +91,7 @@
 #include <mote/passes/tiles.hpp>
 #include <mote/shape/concept.hpp>
 #include <mote/shape/cubic_bspline.hpp>
+#include <mote/shape/gimp.hpp>
 #include <mote/shape/linear.hpp>
 #include <mote/shape/quadratic_bspline.hpp>
 #include <mote/sleep/concept.hpp>

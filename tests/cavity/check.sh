@@ -35,8 +35,8 @@ bad_words() {
   refuses "speed" --speed fast
   refuses "--seed is -1; it must be >= 0" --seed -1
   refuses "--preset is 'best'; choose paper, accurate or quick" --preset best
-  refuses "--shape gimp is not available yet; choose linear, quadratic or cubic" --shape gimp
-  refuses "--shape is 'round'; choose linear, quadratic or cubic" --shape round
+  refuses "--shape is 'round'; choose linear, gimp, cpgimp, quadratic or cubic" --shape round
+  refuses "--transfer apic is not available with --shape gimp; it needs --transfer flip" --shape gimp
   refuses "--transfer xpic is not available yet; choose flip or apic" --transfer xpic
   refuses "--update usf is not available yet; choose usl or musl" --update usf
   refuses "--sleep is 'deep'; choose on or off" --sleep deep
@@ -118,6 +118,7 @@ good() {
 runs() {
   good solid --radius 0
   for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl" \
+    "gimp flip usl" "gimp flip musl" "cpgimp flip usl" "cpgimp flip musl" \
     "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl"; do
     read -r shape transfer update <<<"$scheme"
     good "$shape-$transfer-$update" --shape "$shape" --transfer "$transfer" --update "$update" --frames 0

@@ -91,6 +91,12 @@ TEST_CASE("a quarter equals its part of the whole: quadratic FLIP USL") {
 TEST_CASE("a quarter equals its part of the whole: linear FLIP MUSL") {
   check(Scheme<shape::Linear, transfer::Flip, update::Musl>{});
 }
+TEST_CASE("a quarter equals its part of the whole: contiguous GIMP FLIP USL") {
+  check(Scheme<shape::ContiguousGimp, transfer::Flip, update::Usl>{});
+}
+TEST_CASE("a quarter equals its part of the whole: GIMP FLIP MUSL") {
+  check(Scheme<shape::Gimp, transfer::Flip, update::Musl>{});
+}
 TEST_CASE("a quarter equals its part of the whole: cubic APIC USL") {
   check(Scheme<shape::CubicBSpline, transfer::Apic, update::Usl>{});
 }

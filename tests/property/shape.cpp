@@ -27,7 +27,8 @@ struct Kernel {
 #define KERNELS                                                                                               \
   (Kernel<shape::Linear, double>), (Kernel<shape::Linear, float>), (Kernel<shape::QuadraticBSpline, double>), \
       (Kernel<shape::QuadraticBSpline, float>), (Kernel<shape::CubicBSpline, double>),                        \
-      (Kernel<shape::CubicBSpline, float>)
+      (Kernel<shape::CubicBSpline, float>), (Kernel<shape::ContiguousGimp, double>),                          \
+      (Kernel<shape::ContiguousGimp, float>)
 
 /// Whether the gradient is continuous.
 template <class S>
@@ -41,13 +42,21 @@ bool near(T a, double b, double size = 1) {
 /// A number in [0, 1], ends included.
 double unit() { return *rc::gen::inRange(0, (1 << 20) + 1) / double(1 << 20); }
 
+/// A half size in cells; kernels without one do not look at it.
+double half_size() { return 0.01 + 0.49 * unit(); }
+
 /// Weights and slopes at a place within the cell.
 template <class S, class T>
 struct At {
   T f, w[S::support], d[S::support];
-  explicit At(double place) : f(T(S::first + place)) {
-    S::values(f, w);
-    S::slopes(f, d);
+  explicit At(double place, double half = 0.3) : f(T(S::first + place)) {
+    if constexpr (sized<S>) {
+      S::values(f, T(half), w);
+      S::slopes(f, T(half), d);
+    } else {
+      S::values(f, w);
+      S::slopes(f, d);
+    }
   }
   /// sum of g(i - f, w_i, d_i)
   template <class G>
@@ -63,6 +72,7 @@ template <class S, class T, int D>
 struct Scene {
   passes::NodeBox<D> box{tile(), S::support};
   Vec<Pack<T>, D> xi;
+  passes::HalfSizes<S, T, D> half{};
 
   Scene() {
     const int strangers = *rc::gen::inRange(0, lanes + 1);  // that do not share the first one's cell
@@ -70,6 +80,8 @@ struct Scene {
       const int first = cell();
       for (int l = 0; l < lanes; ++l)
         xi[a].set(l, T(S::first + (l < lanes - strangers ? first : cell()) + unit() * (1 - 1e-6)));
+      if constexpr (sized<S>)
+        for (int l = 0; l < lanes; ++l) half[a].set(l, T(half_size()));
     }
   }
   static int cell() { return *rc::gen::inRange(passes::lowest, passes::highest + 1); }
@@ -93,7 +105,7 @@ struct Scene {
       for (int c = 0; c < D; ++c) field[std::size_t(n * width + c)] = f(n, c);
     constexpr passes::Wanted everything{true, true};
     passes::BatchNodes<S, T, D> nodes;
-    nodes.append(xi, box);
+    nodes.append(xi, box, half);
     passes::SumColumns<everything, T, D> columns;
     nodes.for_each_window([&](int i, int node, const auto& stencil, unsigned bits, bool) {
       for (int c = 0; c < D; ++c)
@@ -123,7 +135,7 @@ void in_each_dimension(F f) {
 
 TEMPLATE_TEST_CASE("shape: weights sum to one and are not negative", "[shape][property]", KERNELS) {
   CHECK(rc::check([] {
-    const At<typename TestType::Shape, typename TestType::number> at(unit());
+    const At<typename TestType::Shape, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto, auto w, auto) { return w; }), 1));
     for (auto w : at.w) RC_ASSERT(w >= 0);
   }));
@@ -131,14 +143,14 @@ TEMPLATE_TEST_CASE("shape: weights sum to one and are not negative", "[shape][pr
 
 TEMPLATE_TEST_CASE("shape: slopes sum to zero", "[shape][property]", KERNELS) {
   CHECK(rc::check([] {
-    const At<typename TestType::Shape, typename TestType::number> at(unit());
+    const At<typename TestType::Shape, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto, auto, auto d) { return d; }), 0));
   }));
 }
 
 TEMPLATE_TEST_CASE("shape: a linear function is reproduced, and its slope", "[shape][property]", KERNELS) {
   CHECK(rc::check([] {
-    const At<typename TestType::Shape, typename TestType::number> at(unit());
+    const At<typename TestType::Shape, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto r, auto w, auto) { return w * r; }), 0));
     RC_ASSERT(near(at.sum([](auto r, auto, auto d) { return d * r; }), 1));
   }));
@@ -148,15 +160,17 @@ TEMPLATE_TEST_CASE("shape: slopes are the derivatives of the weights", "[shape][
   using S = typename TestType::Shape;
   CHECK(rc::check([] {
     const double step = 1e-5, f = 0.001 + 0.998 * unit();  // differences of cubics are off by step^2/2
-    const At<S, double> at(f), before(f - step), after(f + step);
-    for (int i = 0; i < S::support; ++i) RC_ASSERT(std::abs((after.w[i] - before.w[i]) / (2 * step) - at.d[i]) < 1e-9);
+    const double half = half_size(), off = sized<S> ? step / half : 0;  // where the slope has a kink, up to 1/half
+    const At<S, double> at(f, half), before(f - step, half), after(f + step, half);
+    for (int i = 0; i < S::support; ++i)
+      RC_ASSERT(std::abs((after.w[i] - before.w[i]) / (2 * step) - at.d[i]) < 1e-9 + off);
   }));
 }
 
 TEMPLATE_TEST_CASE("shape: no node beyond half the support is touched", "[shape][property]", KERNELS) {
   using S = typename TestType::Shape;
   CHECK(rc::check([] {
-    const At<S, typename TestType::number> at(unit());
+    const At<S, typename TestType::number> at(unit(), half_size());
     for (int i = 0; i < S::support; ++i) RC_ASSERT(std::abs(i - at.f) <= 0.5 * S::support);
   }));
 }
@@ -177,7 +191,7 @@ TEMPLATE_TEST_CASE("shape: the inertia that a kernel states is the same everywhe
   using S = typename TestType::Shape;
   if (S::inertia == 0) return;
   CHECK(rc::check([] {
-    const At<S, typename TestType::number> at(unit());
+    const At<S, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto r, auto w, auto) { return w * r * r; }), S::inertia));
   }));
 }
@@ -237,7 +251,8 @@ TEMPLATE_TEST_CASE("stencil: scattering is the transpose of gathering", "[shape]
         for (auto& c : a) c = Pack<T>(draw);
       const int n = *rc::gen::inRange(1, lanes + 1);
       AlignedVector<T> scattered(std::size_t(scene.box.size * width), T(0));
-      passes::scatter_pack<S, passes::AxisWeights::moment_slope>(scattered.data(), scene.box, scene.xi, n, value, axis);
+      passes::scatter_pack<S, passes::AxisWeights::moment_slope>(scattered.data(), scene.box, scene.xi, n, value, axis,
+                                                                   scene.half);
       // <scattered, field> over the nodes is <brought, gathered> over the particles, for each number of a record
       for (int c = 0; c < width; ++c) {
         std::vector<T> field(std::size_t(scene.box.size));
@@ -295,6 +310,8 @@ void check_mirrored_field(const Plane& plane, bool wall) {
   for (std::size_t p = 0; p < particles.size(); ++p) {
     particles.template set<field::Velocity>(p, field(cast<double>(particles.template get<field::Position>(p))));
     particles.template set<field::Affine>(p, field.A);
+    if constexpr (sized<S>)
+      for (int a = 0; a < D; ++a) particles.template column<field::HalfSize>(a)[p] = T(half_size());
   }
   solver.refresh();
   std::vector<Vec<double, D>> place;

@@ -67,7 +67,12 @@ static_assert(bytes<3, double, Linear, Flip, Metal<strength::VonMisesLogarithmic
 static_assert(bytes<1, double, Linear, Flip, decltype(Material{eos::LogarithmicBulk{}, strength::NeoHookean{}})> ==
               7 * 8 + id);
 
-// neither shape functions, update orders nor executors add columns
+// GIMP adds the half size 3
+static_assert(bytes<3, double, shape::Gimp, Flip, Aluminium> == 20 * 8 + id);
+static_assert(bytes<3, double, shape::ContiguousGimp, Apic, Aluminium> == 29 * 8 + id);
+static_assert(bytes<1, float, shape::ContiguousGimp, Flip, Aluminium> == 11 * 4 + id);
+
+// neither other shape functions, update orders nor executors add columns
 static_assert(bytes<3, double, QuadraticBSpline, Flip, Aluminium> == bytes<3, double, Linear, Flip, Aluminium>);
 static_assert(bytes<3, double, CubicBSpline, Apic, Aluminium> == bytes<3, double, QuadraticBSpline, Apic, Aluminium>);
 static_assert(decltype(Solver{grid::Cartesian<3>{}, Linear{}, Flip{}, update::Musl{}, execution::Threads{},
@@ -85,7 +90,7 @@ static_assert(One::bytes_per_particle<0> == 140 && One::bodies == 1);
 
 // a body is its material, its columns and the range of its tiles; a solver grows by a body with each material
 template <class M>
-using BodyOf = passes::Body<std::remove_cv_t<M>, double, 3, Flip>;
+using BodyOf = passes::Body<std::remove_cv_t<M>, double, 3, Flip, Linear>;
 static_assert(sizeof(BodyOf<Aluminium>) ==
               sizeof(Aluminium) + sizeof(Particles<double, 3, BodyOf<Aluminium>::list>) + 2 * sizeof(std::uint32_t));
 static_assert(sizeof(Twins) == sizeof(One) + sizeof(BodyOf<Aluminium>));

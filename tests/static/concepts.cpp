@@ -232,6 +232,22 @@ struct ShapeWithoutSlopes : GoodShape {
 
 static_assert(Shape<GoodShape> && Shape<shape::Linear> && Shape<shape::QuadraticBSpline> &&
               Shape<shape::CubicBSpline>);
+// one that declares a half size takes it
+struct SizedShape : GoodShape {
+  using particle_fields = fields<field::HalfSize>;
+  // clang-format off
+  template <class T> static void values(const T&, const T&, T*) {}
+  template <class T> static void slopes(const T&, const T&, T*) {}
+  // clang-format on
+};
+struct SizedShapeWithoutHalf : GoodShape {
+  using particle_fields = fields<field::HalfSize>;
+};
+struct ShapeWithHalf : SizedShape {
+  using particle_fields = fields<>;
+};
+static_assert(Shape<SizedShape> && Shape<shape::Gimp> && Shape<shape::ContiguousGimp>);
+static_assert(!Shape<SizedShapeWithoutHalf> && !Shape<ShapeWithHalf>);
 static_assert(!Shape<int> && !Shape<ShapeWithoutRole> && !Shape<ShapeWithoutSupport> && !Shape<ShapeWithoutFirst>);
 static_assert(!Shape<ShapeWithoutInertia> && !Shape<ShapeWithoutValues> && !Shape<ShapeWithoutSlopes>);
 

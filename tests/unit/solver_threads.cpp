@@ -68,7 +68,7 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("any number of threads gives the same bits", "[solver][execution]", schemes::QuadraticApicUsl,
-                   schemes::LinearFlipMusl, schemes::CubicFlipMusl) {
+                   schemes::LinearFlipMusl, schemes::CubicFlipMusl, schemes::ContiguousGimpFlipMusl) {
   const auto serial = after_30_steps<TestType>(execution::Serial{});
   for (int threads : {1, 2, 3, 5}) {
     CAPTURE(threads);
@@ -78,7 +78,8 @@ TEMPLATE_TEST_CASE("any number of threads gives the same bits", "[solver][execut
 
 /// Metal in a channel: it moves through the blocks, but never to more of them than before.
 TEMPLATE_TEST_CASE("a warm step allocates nothing, with a sort or without", "[solver][execution]",
-                   schemes::QuadraticApicUsl, schemes::LinearFlipMusl, schemes::CubicFlipMusl) {
+                   schemes::QuadraticApicUsl, schemes::LinearFlipMusl, schemes::CubicFlipMusl,
+                   schemes::ContiguousGimpFlipMusl) {
   const int threads = GENERATE(1, 2);
   Solver solver{grid::Cartesian<3>{.spacing = h},
                 typename TestType::Shape{},

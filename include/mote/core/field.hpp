@@ -69,6 +69,11 @@ struct Affine {
   using shape = shape_of::Matrix;
   static constexpr const char *name = "affine", *unit = "1/s";
 };
+/// Half the edges of the box that a particle stands for, along the axes (GIMP).
+struct HalfSize {
+  using shape = shape_of::Vector;
+  static constexpr const char *name = "half_size", *unit = "m";
+};
 /// J = V/V0, the current over the initial volume.
 struct VolumeRatio {
   using shape = shape_of::Scalar;

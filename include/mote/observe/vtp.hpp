@@ -13,6 +13,8 @@ template <class Tag>
 std::vector<unsigned> parities_of() {
   if constexpr (std::is_same_v<typename Tag::shape, shape_of::Scalar>) {
     return {0};
+  } else if constexpr (std::is_same_v<Tag, field::HalfSize>) {
+    return {0, 0, 0};  // a size has no direction
   } else if constexpr (std::is_same_v<typename Tag::shape, shape_of::Vector>) {
     return {parity(0), parity(1), parity(2)};
   } else if constexpr (std::is_same_v<typename Tag::shape, shape_of::Symmetric>) {
@@ -157,7 +159,7 @@ class ParticleFrame {
 /// parts declare, yours too, under its name; but for mass, the affine matrix and the stress deviator. With several
 /// bodies there is `body` too, 0 for the first material given to the solver, and what a body lacks is nan (threshold by
 /// `body`, or let ParaView paint nan in a colour of its own). Two- and one-dimensional vectors are padded with zeros.
-/// Images carry the id of their particle; a vector is mirrored as velocity is. Throws OutputError.
+/// Images carry the id of their particle; a vector is mirrored as velocity is, but for half_size. Throws OutputError.
 struct Vtp {
   std::filesystem::path stem = {};  ///< e.g. "frames/particles"; directories are made
   double every = 0.5e-9;            ///< s, > 0

@@ -59,6 +59,7 @@ class BatchNodes {
   alignas(64) T xi_[D][batch + lanes];
   alignas(64) T base_[D][batch + lanes];
   alignas(64) int node_[batch + lanes];
+  [[no_unique_address]] HalfSizeRows<Shape, T, D, batch + lanes> half_;
   int count_ = 0;
 
  public:
@@ -66,12 +67,14 @@ class BatchNodes {
 
   /// Appends a pack; surplus lanes repeat its last particle, and gather what that one does.
   /// \param xi positions in cells, relative to the first node of the tile's block
-  [[gnu::always_inline]] void append(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box) {
+  [[gnu::always_inline]] void append(const Vec<Pack<T>, D>& xi, const NodeBox<D>& box,
+                                     const HalfSizes<Shape, T, D>& half = no_half_sizes<Shape, T, D>()) {
     const LowestNodes<Shape, T, D> at(xi, box);
     for (int a = 0; a < D; ++a) {
       write(xi[a], xi_[a] + count_);
       write(at.base[a], base_[a] + count_);
     }
+    half_.put(count_, half);
     for (int l = 0; l < lanes; ++l) node_[count_ + l] = at.node[l];
     count_ += lanes;
   }
@@ -87,7 +90,8 @@ class BatchNodes {
       const int i = std::countr_zero(left);
       const std::uint64_t bits = equal_bits(read<Nodes>(node_ + i), Nodes(node_[i])) & (left >> i);
       Stencil<T, D, Shape> stencil;
-      for (int a = 0; a < D; ++a) stencil.set(a, read<Pack<T>>(xi_[a] + i) - base_[a][i]);
+      const HalfSizes<Shape, T, D> half = half_.get(i);
+      for (int a = 0; a < D; ++a) stencil.set(a, read<Pack<T>>(xi_[a] + i) - base_[a][i], half);
       f(i, node_[i], stencil, unsigned(bits), ((all & ~left) >> i & 0xff) != 0);
       left &= ~(bits << i);
     }

@@ -178,6 +178,13 @@ class Reporter {
   }
 };
 
+/// Whether a kernel's size follows the motion; see shape/concept.hpp.
+template <class Shape, class T, int D>
+inline constexpr bool deforms = sized<Shape>&& requires(Values<Pack<T>, D, fields<field::HalfSize>> p,
+                                                        Mat<Pack<T>, D> a) {
+  Shape::deform(p, a);
+};
+
 /// Velocity, position and state of a tile's particles from the grid; leaves the range of their new lowest nodes in the
 /// tile. With Task::velocity_and_remap the new momentum goes back to the accumulators.
 template <Task task, class Shape, class Transfer, class B, class T, int D>
@@ -192,12 +199,14 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   nodes.template copy<task, Transfer>(tile, links, blocks, box);
   T* remapped = accumulators + tile.buffer * remap_width;
   if constexpr (!moves) std::fill_n(remapped, box.size * remap_width, T(0));
+  using Size = std::conditional_t<deforms<Shape, T, D>, particle_fields_of<Shape>, fields<>>;
   using Deforms =
-      std::conditional_t<moves, union_of<fields<field::Position>, particle_fields_of<typename B::Material>>, fields<>>;
+      std::conditional_t<moves, union_of<fields<field::Position>, Size, particle_fields_of<typename B::Material>>,
+                         fields<>>;
   using Moves =
       std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>;
   using Written = union_of<Deforms, Moves>;
-  using Mass = std::conditional_t<moves, fields<>, fields<field::Mass>>;
+  using Remaps = std::conditional_t<moves, fields<>, union_of<fields<field::Mass>, particle_fields_of<Shape>>>;
   // copies, which stores to columns cannot change: what depends on them alone is computed once
   const auto material = body.material;
   const auto transfer = transfer_;
@@ -212,29 +221,32 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   for_each_batch(tile, [&](std::size_t begin, int count) {
     at.clear();
     for (int i = 0; i < count; i += lanes) {
-      Values<Pack<T>, D, fields<field::Position>> p;
+      Values<Pack<T>, D, union_of<fields<field::Position>, particle_fields_of<Shape>>> p;
       body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
-      at.append(in_tile.in_cells(get<field::Position>(p)), box);
+      at.append(in_tile.in_cells(get<field::Position>(p)), box, half_sizes<Shape>(p, in_tile.per_spacing));
     }
     windows += sums.gather(nodes, box, at);
     for (int i = 0; i < count; i += lanes) {
       const std::size_t first = begin + std::size_t(i);
       const int n = std::min(lanes, count - i);
-      Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Mass, Written>> p;
+      Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Remaps, Written>> p;
       body.particles.load(first, n, p);
       const auto grid_velocity = sums.grid_velocity(i, spacing);
       if constexpr (takes_velocity) transfer.update(p, grid_velocity);
       if constexpr (moves) {
         auto& x = get<field::Position>(p);
         x += grid_velocity.pic * Pack<T>(T(dt));
-        material.update(p, embed(sums.increment(i, dt_over_h)), {.dt = dt, .spacing = spacing});
+        const Mat<Pack<T>, D> increment = sums.increment(i, dt_over_h);
+        if constexpr (deforms<Shape, T, D>) Shape::deform(p, increment);
+        material.update(p, embed(increment), {.dt = dt, .spacing = spacing});
         reporter.include(material, p);
         range.template include<Shape>(in_tile.in_cells(x));
       } else {
         Momentum<T, D> brought;
         brought.template add_momentum<Transfer>(p, spacing);
         scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(
-            remapped, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
+            remapped, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis,
+            half_sizes<Shape>(p, in_tile.per_spacing));
       }
       body.particles.store(first, n, p, Written{});
     }

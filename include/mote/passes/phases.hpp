@@ -21,7 +21,7 @@ class Phases;
 
 template <class Shape, class Transfer, class T, int D, class Execution, class Sleep, class Loads, class... Materials>
 class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials...>> {
-  using Bodies = std::tuple<Body<Materials, T, D, Transfer>...>;
+  using Bodies = std::tuple<Body<Materials, T, D, Transfer, Shape>...>;
   static_assert(
       can_be_told_apart<Materials...>,
       "mote: two materials of one solver have the same C++ type and no operator==, so fill() cannot tell them "
@@ -217,11 +217,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// The body whose material has this type and these numbers. Throws InputError if there is none.
   template <class M>
   auto& body_of(const M& material, const char* caller) {
-    return find_body<Body<M, T, D, Transfer>>(bodies_, material, caller);
+    return find_body<Body<M, T, D, Transfer, Shape>>(bodies_, material, caller);
   }
   template <class M>
   const auto& body_of(const M& material, const char* caller) const {
-    return find_body<const Body<M, T, D, Transfer>>(bodies_, material, caller);
+    return find_body<const Body<M, T, D, Transfer, Shape>>(bodies_, material, caller);
   }
   template <int I>
   auto& body() {

@@ -55,11 +55,12 @@ struct MomentumAndForce : Records<T, D, 2> {
 /// \param xi positions in cells, relative to the first node of the tile's block
 template <class Shape, AxisWeights Kind, class T, int D, int width>
 [[gnu::always_inline]] inline void scatter_pack(T* nodes, const NodeBox<D>& box, const Vec<Pack<T>, D>& xi, int n,
-                                                const Pack<T> (&value)[width], const Pack<T> (&axis)[D][width]) {
+                                                const Pack<T> (&value)[width], const Pack<T> (&axis)[D][width],
+                                                const HalfSizes<Shape, T, D>& half = no_half_sizes<Shape, T, D>()) {
   using Record = Simd<T, width>;
   const LowestNodes<Shape, T, D> at(xi, box);
   Stencil<T, D, Shape> stencil;
-  for (int a = 0; a < D; ++a) stencil.set(a, xi[a] - at.base[a]);
+  for (int a = 0; a < D; ++a) stencil.set(a, xi[a] - at.base[a], half);
   const ScatterWeights<Kind, T, D, Shape> weights(stencil);
   Contribution<Record, D> of[lanes];
   {
@@ -96,14 +97,15 @@ template <class Shape, class Transfer, class B, class T, int D>
   const TileFrame<T, D> in_tile = frame.of_block(tile.block);
   const double spacing = frame.spacing;
   for_each_pack(tile, [&](std::size_t first, int n) {
-    using List = union_of<fields<field::Position, field::Velocity, field::Mass>, particle_fields_of<Transfer>,
-                          particle_fields_of<typename B::Material>>;
+    using List = union_of<fields<field::Position, field::Velocity, field::Mass>, particle_fields_of<Shape>,
+                          particle_fields_of<Transfer>, particle_fields_of<typename B::Material>>;
     Values<Pack<T>, D, List> p;
     body.particles.load(first, n, p);
     MomentumAndForce<T, D> brought;
     brought.template add_momentum<Transfer>(p, spacing);
     brought.add_mass_and_force(material, p, spacing);
-    scatter_pack<Shape, kind>(nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
+    scatter_pack<Shape, kind>(nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis,
+                              half_sizes<Shape>(p, in_tile.per_spacing));
   });
 }
 

@@ -11,6 +11,7 @@
 #include <mote/core/field.hpp>
 #include <mote/core/rearrange.hpp>
 #include <mote/grid/blocks.hpp>
+#include <mote/passes/half_sizes.hpp>
 #include <mote/passes/tiles.hpp>
 
 namespace mote::passes {
@@ -36,9 +37,14 @@ struct Stencil {
   Pack<T> offset[D];          ///< position in cells from the middle node
 
   /// \param f position in cells from the lowest node
-  [[gnu::always_inline]] void set(int axis, const Pack<T>& f) {
-    Shape::values(f, value[axis]);
-    Shape::slopes(f, slope[axis]);
+  [[gnu::always_inline]] void set(int axis, const Pack<T>& f, [[maybe_unused]] const HalfSizes<Shape, T, D>& half) {
+    if constexpr (sized<Shape>) {
+      Shape::values(f, half[axis], value[axis]);
+      Shape::slopes(f, half[axis], slope[axis]);
+    } else {
+      Shape::values(f, value[axis]);
+      Shape::slopes(f, slope[axis]);
+    }
     offset[axis] = f - T(middle);
   }
 };

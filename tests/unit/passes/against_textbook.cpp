@@ -36,7 +36,7 @@ void run_beside(double blend, textbook::Box box, const Sides&... sides) {
   }
 
   const Difference d = compare(particles, book, box.periodic[0] ? 8 : 0);
-  CAPTURE(d.position, d.velocity, d.volume, d.stress, d.plastic, d.temperature, d.affine);
+  CAPTURE(d.position, d.velocity, d.volume, d.stress, d.plastic, d.temperature, d.affine, d.size);
   CHECK(d.largest() < 1e-12);
   const auto strain = particles.template column<field::PlasticStrain>();
   CHECK(*std::max_element(strain.begin(), strain.end()) > 1e-3);
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE("the passes equal the textbook between symmetry planes", "[pa
 TEMPLATE_TEST_CASE("half a body behind a symmetry plane moves as the whole", "[passes]", schemes::LinearFlipUsl,
                    schemes::LinearFlipMusl, schemes::QuadraticFlipUsl, schemes::QuadraticFlipMusl,
                    schemes::LinearApicMusl, schemes::QuadraticApicUsl, schemes::CubicFlipUsl, schemes::CubicFlipMusl,
-                   schemes::CubicApicUsl) {
+                   schemes::CubicApicUsl, schemes::ContiguousGimpFlipUsl, schemes::ContiguousGimpFlipMusl) {
   const bool upper = GENERATE(false, true);
   const double part = blend<TestType>(), s = upper ? -1 : 1;
   const grid::Cartesian<3> cells{.spacing = h};
@@ -104,6 +104,8 @@ TEMPLATE_TEST_CASE("half a body behind a symmetry plane moves as the whole", "[p
       for (int a = 1; a < 3; ++a) C(0, a) *= sign, C(a, 0) *= sign;
       theirs.template set<field::Affine>(p, C);
     }
+    if constexpr (sized<typename TestType::Shape>)
+      theirs.template set<field::HalfSize>(p, mine.template get<field::HalfSize>(p % n));
   }
   half.refresh();
   whole.refresh();

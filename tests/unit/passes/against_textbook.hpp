@@ -14,6 +14,8 @@ inline constexpr double dt = 3e-11, speed = 500;  // s, m/s
 template <class Shape>
 inline constexpr auto book_shape = std::is_same_v<Shape, shape::Linear>             ? textbook::Shape::linear
                                    : std::is_same_v<Shape, shape::QuadraticBSpline> ? textbook::Shape::quadratic
+                                   : std::is_same_v<Shape, shape::Gimp>             ? textbook::Shape::gimp
+                                   : std::is_same_v<Shape, shape::ContiguousGimp>   ? textbook::Shape::contiguous_gimp
                                                                                     : textbook::Shape::cubic;
 
 template <class Scheme>
@@ -29,13 +31,15 @@ void copy_particles(const P& from, B& book) {
     book.add({x[0], x[1], x[2]}, {v[0], v[1], v[2]}, from.template column<field::Mass>()[p]);
     if constexpr (contains<typename P::list, field::Affine>)
       for (int c = 0; c < 9; ++c) book.particles.C[std::size_t(c)][p] = from.template column<field::Affine>(c)[p];
+    if constexpr (contains<typename P::list, field::HalfSize>)
+      for (int a = 0; a < 3; ++a) book.particles.l[std::size_t(a)][p] = from.template column<field::HalfSize>(a)[p];
   }
 }
 
 /// The largest differences of any particle, each over its own scale.
 struct Difference {
-  double position = 0, velocity = 0, volume = 0, stress = 0, plastic = 0, temperature = 0, affine = 0;
-  double largest() const { return std::max({position, velocity, volume, stress, plastic, temperature, affine}); }
+  double position = 0, velocity = 0, volume = 0, stress = 0, plastic = 0, temperature = 0, affine = 0, size = 0;
+  double largest() const { return std::max({position, velocity, volume, stress, plastic, temperature, affine, size}); }
 };
 
 inline void take(double& largest, double a, double b, double scale, double period = 0) {
@@ -65,6 +69,9 @@ Difference compare(const P& mine, const B& book, double period) {
     if constexpr (contains<typename P::list, field::Affine>)
       for (int c = 0; c < 9; ++c)
         take(d.affine, mine.template column<field::Affine>(c)[p], theirs.C[std::size_t(c)][q], speed / h);
+    if constexpr (contains<typename P::list, field::HalfSize>)
+      for (int a = 0; a < 3; ++a)
+        take(d.size, mine.template column<field::HalfSize>(a)[p], theirs.l[std::size_t(a)][q], h);
   }
   return d;
 }

@@ -1,5 +1,5 @@
 /// \file
-/// The twelve schemes that the library offers so far, and the metal of the scenes, for the tests of the passes.
+/// The schemes that the library offers so far, and the metal of the scenes, for the tests of the passes.
 #pragma once
 
 #include <random>
@@ -36,6 +36,11 @@ using CubicFlipUsl = Scheme<shape::CubicBSpline, transfer::Flip, update::Usl>;
 using CubicFlipMusl = Scheme<shape::CubicBSpline, transfer::Flip, update::Musl>;
 using CubicApicUsl = Scheme<shape::CubicBSpline, transfer::Apic, update::Usl>;
 using CubicApicMusl = Scheme<shape::CubicBSpline, transfer::Apic, update::Musl>;
+using GimpFlipUsl = Scheme<shape::Gimp, transfer::Flip, update::Usl>;
+using GimpApicMusl = Scheme<shape::Gimp, transfer::Apic, update::Musl>;
+using ContiguousGimpFlipUsl = Scheme<shape::ContiguousGimp, transfer::Flip, update::Usl>;
+using ContiguousGimpFlipMusl = Scheme<shape::ContiguousGimp, transfer::Flip, update::Musl>;
+using ContiguousGimpApicUsl = Scheme<shape::ContiguousGimp, transfer::Apic, update::Usl>;
 
 template <class Scheme>
 typename Scheme::Transfer transfer_of(double blend) {
@@ -51,8 +56,12 @@ typename Scheme::Transfer transfer_of(double blend) {
   schemes::QuadraticFlipUsl, schemes::QuadraticFlipMusl, schemes::QuadraticApicUsl, schemes::QuadraticApicMusl
 #define MOTE_TEST_CUBIC_SCHEMES \
   schemes::CubicFlipUsl, schemes::CubicFlipMusl, schemes::CubicApicUsl, schemes::CubicApicMusl
+#define MOTE_TEST_GIMP_SCHEMES                                                              \
+  schemes::GimpFlipUsl, schemes::GimpApicMusl, schemes::ContiguousGimpFlipUsl, schemes::ContiguousGimpFlipMusl, \
+      schemes::ContiguousGimpApicUsl
 
-#define MOTE_TEST_SCHEMES MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES
+#define MOTE_TEST_SCHEMES \
+  MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES, MOTE_TEST_GIMP_SCHEMES
 
 struct Random {
   std::mt19937 generator{7};
@@ -66,7 +75,7 @@ void shake(P& particles, int components, double size, Random& random) {
     for (auto& value : particles.template column<Tag>(a)) value += random(size);
 }
 
-/// Jittered positions, masses, velocities about their mean, and affine matrices where there are any.
+/// Jittered positions, masses, half sizes, velocities about their mean, and affine matrices where there are any.
 template <class P>
 void shake(P& particles, double speed) {
   constexpr int D = P::dimension;
@@ -74,6 +83,7 @@ void shake(P& particles, double speed) {
   shake<field::Position>(particles, D, 0.1 * h, random);
   shake<field::Velocity>(particles, D, speed, random);
   for (auto& m : particles.template column<field::Mass>()) m *= 1 + random(0.1);
+  if constexpr (contains<typename P::list, field::HalfSize>) shake<field::HalfSize>(particles, D, 0.2 * h, random);
   if constexpr (contains<typename P::list, field::Affine>) shake<field::Affine>(particles, D * D, speed / h, random);
 }
 
