@@ -301,6 +301,7 @@ TEMPLATE_TEST_CASE("XPIC comes to keep an affine field inside a body", "[transfe
   };
   const double first = error(1);
   double last = first;
+  CHECK(first > 0.02);
   for (const int m : {2, 5, 10, 40}) {
     const double now = error(m);
     CAPTURE(m, now);
@@ -308,7 +309,6 @@ TEMPLATE_TEST_CASE("XPIC comes to keep an affine field inside a body", "[transfe
     last = now;
   }
   CHECK(last < 1e-2);
-  WARN("error of PIC " << first << ", of XPIC(40) " << last);
 }
 
 TEST_CASE("orders out of range are refused", "[transfer]") {
