@@ -21,7 +21,8 @@ namespace mote::transfer {
 /// as with FLIP: x += dt S v. (The paper moves them by dt (S v before the forces + half the change of V), half a step
 /// earlier in time and not by the field that strains; here volumes follow positions.)
 ///
-/// Conserves linear momentum exactly, angular momentum in the limit. m = 2 already helps, 5 is a good compromise; the
+/// Conserves linear momentum exactly; angular momentum the filter does in the limit, the change S dv as little as FLIP.
+/// Stable to the same Courant number as FLIP, measured for m up to 20. m = 2 already helps, 5 is a good compromise; the
 /// authors find m > 40 unstable. Source: Hammerquist and Nairn, CMAME 318 (2017) 724.
 struct Xpic {
   using role = mote::role::Transfer;
