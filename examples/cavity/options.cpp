@@ -46,8 +46,10 @@ const Words<Shape> shapes{"shape",
                            {"cpgimp", Shape::cpgimp},
                            {"quadratic", Shape::quadratic},
                            {"cubic", Shape::cubic}}};
-const Words<Transfer> transfers{"transfer", {{"flip", Transfer::flip}, {"apic", Transfer::apic}}, {"xpic"}};
-const Words<Update> updates{"update", {{"usl", Update::usl}, {"musl", Update::musl}}, {"usf"}};
+const Words<Transfer> transfers{
+    "transfer",
+    {{"flip", Transfer::flip}, {"apic", Transfer::apic}, {"xpic", Transfer::xpic}, {"fmpm", Transfer::fmpm}}};
+const Words<Update> updates{"update", {{"usl", Update::usl}, {"musl", Update::musl}, {"usf", Update::usf}}};
 const Words<Precision> precisions{"precision", {{"double", Precision::double_}, {"float", Precision::single_}}};
 const Words<Domain> domains{"domain", {{"full", Domain::full}, {"quarter", Domain::quarter}}};
 const Words<Fill> fills{"fill", {{"lattice", Fill::lattice}, {"fraction", Fill::fraction}}};
@@ -101,6 +103,7 @@ void add_method(CLI::App& app, Options& o) {
   add_words(app, shapes, o.shape, "shape functions [quadratic]");
   add_words(app, transfers, o.transfer, "between particles and grid [apic]");
   app.add_option("--flip-blend", o.flip_blend, "1: FLIP, 0: PIC [1]");
+  app.add_option("--order", o.order, "of xpic and fmpm, 1 to 40; 1: PIC [xpic 5, fmpm 2]");
   add_words(app, updates, o.update, "when stresses are updated [usl]");
   app.add_option("--courant", o.courant, "time step over cell crossing time, up to 1 [0.4]");
   add_words(app, domains, o.domain, "simulate all of the body or one symmetric part [quarter]");

@@ -11,8 +11,8 @@
 namespace cavity {
 
 enum class Shape { linear, gimp, cpgimp, quadratic, cubic };
-enum class Transfer { flip, apic };
-enum class Update { usl, musl };
+enum class Transfer { flip, apic, xpic, fmpm };
+enum class Update { usl, musl, usf };
 enum class Precision { single_, double_ };
 enum class Domain { full, quarter };
 enum class Fill { lattice, fraction };
@@ -35,6 +35,7 @@ struct Options {
   Shape shape = Shape::quadratic;
   Transfer transfer = Transfer::apic;
   std::optional<double> flip_blend;  ///< 1 unless given
+  std::optional<int> order;          ///< of XPIC and FMPM; the transfers' own unless given
   Update update = Update::usl;
   double courant = 0.4;
   Domain domain = Domain::quarter;

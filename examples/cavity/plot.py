@@ -45,6 +45,7 @@ def read_csv(path):
 def describe(config):
     """One line about the run."""
     blend = "" if config["flip_blend"] in (None, 1) else f" {config['flip_blend']}"
+    blend += "" if config.get("order") is None else f"({config['order']})"
     return (f"launch {config['speed_m_s']:g} m/s, mesh {config['spacing_um']:g} µm, {config['shape']}, "
             f"{config['transfer'].upper()}{blend}, {config['update'].upper()}, {config['fill']} fill")
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <iomanip>
 #include <mote/core/version.hpp>
+#include <mote/transfer/fmpm.hpp>
+#include <mote/transfer/xpic.hpp>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
@@ -15,6 +17,13 @@ namespace cavity {
 namespace {
 
 using json = nlohmann::ordered_json;
+
+/// The order that runs, given or not; null for transfers without one.
+json order(const Options& o) {
+  if (o.transfer == Transfer::xpic) return o.order.value_or(mote::transfer::Xpic{}.order);
+  if (o.transfer == Transfer::fmpm) return o.order.value_or(mote::transfer::Fmpm{}.order);
+  return nullptr;
+}
 
 json configuration(const Options& o) {
   return {{"preset", o.preset},
@@ -32,6 +41,7 @@ json configuration(const Options& o) {
           {"shape", to_string(o.shape)},
           {"transfer", to_string(o.transfer)},
           {"flip_blend", o.transfer == Transfer::flip ? json(o.flip_blend.value_or(1)) : json(nullptr)},
+          {"order", order(o)},
           {"update", to_string(o.update)},
           {"courant", o.courant},
           {"domain", to_string(o.domain)},

@@ -45,6 +45,9 @@ const Combination& find_combination(const Options& options);
 extern const std::array<Combination, 2> linear_flip, linear_apic, quadratic_flip, quadratic_apic, cubic_flip,
     cubic_apic;
 extern const std::array<Combination, 4> gimp_flip;
+extern const std::array<Combination, 1> linear_xpic, quadratic_fmpm;
+extern const std::array<Combination, 2> quadratic_xpic;
+extern const std::array<Combination, 3> usf;  // with FLIP and APIC
 extern const std::array<Combination, 1> linear_flip_float, quadratic_apic_float, cubic_apic_float;
 
 }  // namespace cavity

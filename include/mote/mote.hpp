@@ -85,6 +85,7 @@
 #include <mote/passes/neighbours.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/scatter.hpp>
+#include <mote/passes/sharpen.hpp>
 #include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
 #include <mote/passes/stencil.hpp>
@@ -118,8 +119,11 @@
 #include <mote/transfer/apic.hpp>
 #include <mote/transfer/concept.hpp>
 #include <mote/transfer/flip.hpp>
+#include <mote/transfer/fmpm.hpp>
+#include <mote/transfer/xpic.hpp>
 #include <mote/update/concept.hpp>
 #include <mote/update/musl.hpp>
+#include <mote/update/usf.hpp>
 #include <mote/update/usl.hpp>
 #include <mote/viscosity/concept.hpp>
 #include <mote/viscosity/none.hpp>

@@ -37,8 +37,8 @@ bad_words() {
   refuses "--preset is 'best'; choose paper, accurate or quick" --preset best
   refuses "--shape is 'round'; choose linear, gimp, cpgimp, quadratic or cubic" --shape round
   refuses "--transfer apic is not available with --shape gimp; it needs --transfer flip" --shape gimp
-  refuses "--transfer xpic is not available yet; choose flip or apic" --transfer xpic
-  refuses "--update usf is not available yet; choose usl or musl" --update usf
+  refuses "--transfer is 'pic'; choose flip, apic, xpic or fmpm" --transfer pic
+  refuses "--update is 'usm'; choose usl, musl or usf" --update usm
   refuses "--sleep is 'deep'; choose on or off" --sleep deep
   refuses "--conductivity is 237; conduction is not available yet" --conductivity 237
   refuses "--fill is 'sand'; choose lattice or fraction" --fill sand
@@ -80,6 +80,9 @@ bad_cavities_and_combinations() {
   refuses "less than a cell" --radius 0.5
   refuses "--flip-blend does not go with --transfer apic" --flip-blend 0.5
   refuses "--flip-blend is 2; it must be from 0 to 1" --transfer flip --flip-blend 2
+  refuses "--order does not go with --transfer apic; it needs --transfer xpic or fmpm" --order 2
+  refuses "--order is 0; it must be from 1 to 40" --transfer xpic --order 0
+  refuses "--transfer xpic is not available with --shape cubic --update usl; flip and apic" --transfer xpic --shape cubic
   refuses "--precision float is not available with --shape linear --transfer apic" --precision float --shape linear
   refuses "it is with quadratic apic usl, cubic apic usl and linear flip musl" --precision float --shape cubic --update musl
 }
@@ -119,7 +122,8 @@ runs() {
   good solid --radius 0
   for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl" \
     "gimp flip usl" "gimp flip musl" "cpgimp flip usl" "cpgimp flip musl" \
-    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl"; do
+    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl" "linear flip usf" "quadratic flip usf" \
+    "quadratic apic usf" "linear xpic musl" "quadratic xpic usl" "quadratic xpic usf" "quadratic fmpm usl"; do
     read -r shape transfer update <<<"$scheme"
     good "$shape-$transfer-$update" --shape "$shape" --transfer "$transfer" --update "$update" --frames 0
   done
@@ -127,6 +131,7 @@ runs() {
   good quarter --fill lattice
   good float --precision float --frames 0
   good cubic-float --precision float --shape cubic --frames 0
+  good order --transfer xpic --order 2 --frames 0
   good into-wall --speed -100 --jitter 0.2 --seed 7 --frames 0 --threads 3 --flip-blend 0.9 --transfer flip
 }
 

@@ -279,6 +279,8 @@ struct TransferWithoutIncrement : GoodTransfer {
 };
 
 static_assert(Transfer<GoodTransfer> && Transfer<transfer::Flip> && Transfer<transfer::Apic>);
+static_assert(Transfer<transfer::Xpic> && Transfer<transfer::Fmpm>);
+static_assert(sharpens<transfer::Apic> == Sharpens::nothing && sharpens<transfer::Fmpm> == Sharpens::grid);
 static_assert(!Transfer<int> && !Transfer<TransferWithoutRole> && !Transfer<TransferWithoutKept>);
 static_assert(!Transfer<TransferWithoutAffine> && !Transfer<TransferWithoutIncrement>);
 static_assert(!Transfer<TransferWithoutUpdate>);
@@ -291,7 +293,8 @@ struct UpdateWithoutRemaps {
 struct TimestepWithoutCall {
   using role = mote::role::Timestep;
 };
-static_assert(Update<update::Usl> && Update<update::Musl> && !Update<UpdateWithoutRemaps> && !Update<int>);
+static_assert(Update<update::Usl> && Update<update::Musl> && Update<update::Usf> && !Update<UpdateWithoutRemaps> &&
+              !Update<int>);
 static_assert(Timestep<timestep::Cfl> && Timestep<timestep::Fixed> && !Timestep<TimestepWithoutCall> && !Timestep<int>);
 static_assert(LoadIn<load::BodyForce<2>, 2> && !LoadIn<load::BodyForce<2>, 3> && !LoadIn<int, 2>);
 

@@ -45,10 +45,12 @@ struct Blocks {
   AlignedVector<T> velocity;  ///< m/s, after forces and boundaries
   AlignedVector<T> previous;  ///< m/s, as the particles brought it, before the forces
   AlignedVector<T> remapped;  ///< m/s, from the particles' new velocities; empty unless the update asks for it
+  AlignedVector<T> sharp;     ///< m/s, what the particles take; empty unless the transfer asks for it (XPIC)
+  AlignedVector<T> residual;  ///< m/s, what sharpening has not recovered yet; empty unless the transfer sharpens
 
   std::size_t nodes() const { return index.size() * std::size_t(block_nodes<D>); }
 
-  void allocate(bool with_remapped) {
+  void allocate(bool with_remapped, bool with_sharp, bool with_residual) {
     const auto resize = [](auto& field, std::size_t n) {
       reserve_amply(field, n);
       field.resize(n);
@@ -57,6 +59,8 @@ struct Blocks {
     resize(velocity, nodes() * node_width<D>);
     resize(previous, velocity.size());
     if (with_remapped) resize(remapped, velocity.size());
+    if (with_sharp) resize(sharp, velocity.size());
+    if (with_residual) resize(residual, velocity.size());
   }
 
   /// Takes the mass of a block's nodes.

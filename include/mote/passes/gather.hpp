@@ -10,16 +10,20 @@
 
 namespace mote::passes {
 
-/// What a gather does: take the velocity, move and strain, or both from one field.
-enum class Task { velocity_and_deform, velocity_and_remap, deform };
+/// What a gather does: take the velocity, move, strain, or several of these from one field.
+enum class Task { velocity_and_deform, velocity_and_remap, deform, strain, velocity_and_move };
+
+constexpr bool takes_velocity(Task task) { return task != Task::deform && task != Task::strain; }
+constexpr bool moves(Task task) { return task != Task::velocity_and_remap && task != Task::strain; }
+constexpr bool strains(Task task) { return task != Task::velocity_and_remap && task != Task::velocity_and_move; }
 
 /// The node fields that a task reads, copied to the tile's box; node_width<D> numbers per node.
 template <class T, int D, class Shape>
 struct NodeFields {
   static constexpr int half = grid::node_width<D>, capacity = NodeBox<D>::capacity(Shape::support) * half;
   alignas(64) T velocity[capacity];
-  /// By task: the change of velocity by the forces (if the transfer asks for it), or the velocity mapped back from the
-  /// particles.
+  /// By task: the change of velocity by the forces or the sharpened velocity (if the transfer asks for it), or the
+  /// velocity mapped back from the particles.
   alignas(64) T second[capacity];
 
   template <Task task, class Transfer>
@@ -38,7 +42,9 @@ struct NodeFields {
               write(v, velocity + to + i);
               if constexpr (task == Task::deform)
                 write(read<Half>(blocks.remapped.data() + from + i), second + to + i);
-              else if constexpr (Transfer::increment)
+              else if constexpr (takes_velocity(task) && sharpens<Transfer> == Sharpens::incoming)
+                write(read<Half>(blocks.sharp.data() + from + i), second + to + i);
+              else if constexpr (takes_velocity(task) && Transfer::increment)
                 write(Half(v - read<Half>(blocks.previous.data() + from + i)), second + to + i);
             });
           });
@@ -49,11 +55,14 @@ struct NodeFields {
 /// What a batch gathers for a task.
 template <Task task, class Shape, class Transfer, class T, int D>
 class BatchSums {
-  static constexpr bool affine = Transfer::affine && task != Task::deform;
+  static constexpr bool affine = Transfer::affine && takes_velocity(task);
   /// C is the gradient where the transfer says so, and where the kernel's inertia is singular.
   static constexpr bool gradient = Shape::inertia == 0 || detail::takes_gradient<Transfer>;
-  static constexpr bool has_second = task == Task::deform || Transfer::increment;
-  static constexpr Wanted of_velocity{task == Task::velocity_and_deform || (affine && gradient), affine && !gradient};
+  static constexpr bool has_increment = Transfer::increment && takes_velocity(task),
+                        has_sharp = sharpens<Transfer> == Sharpens::incoming && takes_velocity(task);
+  static constexpr bool has_second = task == Task::deform || has_increment || has_sharp;
+  static constexpr Wanted of_velocity{(strains(task) && task != Task::deform) || (affine && gradient),
+                                      affine && !gradient};
   static constexpr Wanted of_second{task == Task::deform || (affine && detail::takes_gradient<Transfer>), false};
   SumColumns<of_velocity, T, D> velocity_;
   SumColumns<of_second, T, D> second_;
@@ -83,7 +92,8 @@ class BatchSums {
     GridVelocity<Pack<T>, D> g;
     for (int i = 0; i < D; ++i) {
       g.pic[i] = velocity_.value(p, i);
-      if constexpr (Transfer::increment && task != Task::deform) g.increment[i] = second_.value(p, i);
+      if constexpr (has_increment) g.increment[i] = second_.value(p, i);
+      if constexpr (has_sharp) g.sharp[i] = second_.value(p, i);
     }
     if constexpr (affine) {
       const T scale = T(1 / (gradient ? spacing : Shape::inertia * spacing));
@@ -192,21 +202,23 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
                                                        const std::vector<Link<D>>& links,
                                                        const grid::Blocks<T, D>& blocks, const Frame<T, D>& frame,
                                                        double dt, T* accumulators) {
-  constexpr bool moves = task != Task::velocity_and_remap, takes_velocity = task != Task::deform;
+  constexpr bool moves = passes::moves(task), takes_velocity = passes::takes_velocity(task),
+                 strains = passes::strains(task);
+  constexpr bool remaps = task == Task::velocity_and_remap;
   constexpr int remap_width = Momentum<T, D>::width;
   const NodeBox<D> box(tile, Shape::support);
   NodeFields<T, D, Shape> nodes;
   nodes.template copy<task, Transfer>(tile, links, blocks, box);
   T* remapped = accumulators + tile.buffer * remap_width;
-  if constexpr (!moves) std::fill_n(remapped, box.size * remap_width, T(0));
+  if constexpr (remaps) std::fill_n(remapped, box.size * remap_width, T(0));
+  using History = particle_fields_of<typename B::Material>;
   using Size = std::conditional_t<deforms<Shape, T, D>, particle_fields_of<Shape>, fields<>>;
-  using Deforms =
-      std::conditional_t<moves, union_of<fields<field::Position>, Size, particle_fields_of<typename B::Material>>,
-                         fields<>>;
+  using Deforms = union_of<std::conditional_t<moves, fields<field::Position>, fields<>>,
+                           std::conditional_t<strains, union_of<Size, History>, fields<>>>;
   using Moves =
       std::conditional_t<takes_velocity, union_of<fields<field::Velocity>, particle_fields_of<Transfer>>, fields<>>;
   using Written = union_of<Deforms, Moves>;
-  using Remaps = std::conditional_t<moves, fields<>, union_of<fields<field::Mass>, particle_fields_of<Shape>>>;
+  using Read = std::conditional_t<remaps, union_of<fields<field::Mass>, particle_fields_of<Shape>>, History>;
   // copies, which stores to columns cannot change: what depends on them alone is computed once
   const auto material = body.material;
   const auto transfer = transfer_;
@@ -229,19 +241,21 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
     for (int i = 0; i < count; i += lanes) {
       const std::size_t first = begin + std::size_t(i);
       const int n = std::min(lanes, count - i);
-      Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Remaps, Written>> p;
+      Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Read, Written>> p;
       body.particles.load(first, n, p);
       const auto grid_velocity = sums.grid_velocity(i, spacing);
       if constexpr (takes_velocity) transfer.update(p, grid_velocity);
-      if constexpr (moves) {
-        auto& x = get<field::Position>(p);
-        x += grid_velocity.pic * Pack<T>(T(dt));
+      if constexpr (moves) get<field::Position>(p) += grid_velocity.pic * Pack<T>(T(dt));
+      if constexpr (strains) {
         const Mat<Pack<T>, D> increment = sums.increment(i, dt_over_h);
         if constexpr (deforms<Shape, T, D>) Shape::deform(p, increment);
         material.update(p, embed(increment), {.dt = dt, .spacing = spacing});
+      }
+      if constexpr (moves) {
         reporter.include(material, p);
-        range.template include<Shape>(in_tile.in_cells(x));
-      } else {
+        range.template include<Shape>(in_tile.in_cells(get<field::Position>(p)));
+      }
+      if constexpr (remaps) {
         Momentum<T, D> brought;
         brought.template add_momentum<Transfer>(p, spacing);
         scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(

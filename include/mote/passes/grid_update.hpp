@@ -140,6 +140,23 @@ template <class T, int D>
   return ledger;
 }
 
+/// The mass and the velocity field of the incoming momentum, before any plane.
+template <class T, int D>
+[[gnu::noinline]] void divide_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
+                                    grid::Blocks<T, D>& blocks) {
+  constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
+  alignas(64) T sums[nodes * width];
+  sum_tiles<width>(block, tiling, accumulators, support, sums);
+  for (int i = 0; i < nodes; ++i) {
+    const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
+    const T m = solid(sums[i * width + D]), over_m = m > T(0) ? T(1) / m : T(0);
+    blocks.mass[node] = m;
+    Vec<T, D> v{};
+    for (int a = 0; a < D; ++a) v[a] = over_m * sums[i * width + a];
+    set_node_vector(blocks.velocity.data(), node, v);
+  }
+}
+
 /// The velocity field that the particles' new momenta make, before any plane.
 template <class T, int D>
 [[gnu::noinline]] void remap_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
@@ -156,21 +173,28 @@ template <class T, int D>
   }
 }
 
-/// Holds the remapped velocities to the planes.
+/// Holds a velocity field to the planes. \return the impulses that this takes, of velocities that the particles get
 template <class T, int D>
-[[gnu::noinline]] void hold_remapped(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                                     int support) {
+[[gnu::noinline]] GridLedger<D> hold_field(std::uint32_t block, AlignedVector<T>& field,
+                                           const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
+                                           int support) {
+  GridLedger<D> ledger;
   Images<D> images;
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
     if (!images.find(node, domain, blocks, support)) continue;
     T mass;
-    const Vec<T, D> v = images.mean(blocks, blocks.remapped, mass);
+    const Vec<T, D> v = images.mean(blocks, field, mass);
     for (int k = 0; k < images.count; ++k) {
       const auto& image = images.image[std::size_t(k)];
-      set_node_vector(blocks.remapped.data(), image.node, images.reflect(v, image));
+      const Vec<T, D> held = images.reflect(v, image),
+                      push = blocks.mass[image.node] * (held - node_vector<T, D>(field.data(), image.node));
+      for (std::size_t c = 0; c < std::size_t(D); ++c)
+        if (images.held[c] >= 0) ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
+      set_node_vector(field.data(), image.node, held);
     }
   }
+  return ledger;
 }
 
 }  // namespace mote::passes

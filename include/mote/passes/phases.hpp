@@ -10,6 +10,7 @@
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
 #include <mote/passes/messages.hpp>
+#include <mote/passes/sharpen.hpp>
 #include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
 
@@ -78,6 +79,26 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
 
   // ---- the phases
 
+  /// Mass and momentum of all particles, per tile.
+  void scatter_momentum() {
+    for_each_awake_tile([&](auto& body, std::uint32_t t) {
+      scatter_momentum_of_tile<Shape, Transfer>(body, tiling_.tiles[t], frame_, accumulators_.data());
+    });
+  }
+
+  /// Velocities of all nodes before forces and loads, within the boundaries.
+  void find_velocity() {
+    executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
+      if (idle(b)) return blocks_.empty(b);
+      divide_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
+    });
+    hold(blocks_.velocity);
+    if constexpr (sharpens<Transfer> == Sharpens::grid) sharpen(blocks_.velocity, blocks_.velocity);
+  }
+
+  /// Stress of the particles.
+  void strain() { gather_all<Task::strain>(); }
+
   /// Mass, momentum and internal force of all particles, per tile.
   void scatter_momentum_and_force() {
     for_each_awake_tile([&](auto& body, std::uint32_t t) {
@@ -85,7 +106,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
   }
 
-  /// Velocities of all nodes after forces, loads and boundaries.
+  /// Velocities of all nodes after forces, loads and boundaries, sharpened as the transfer wants it.
   void update_grid() {
     block_ledgers_.assign(blocks_.index.size() + tiling_.plane_blocks.size(), {});
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
@@ -99,22 +120,27 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
           hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept());
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
+    if constexpr (sharpens<Transfer> == Sharpens::grid) ledger_ += sharpen(blocks_.velocity, blocks_.velocity);
+    if constexpr (sharpens<Transfer> == Sharpens::incoming) {
+      for_each_block([&](std::uint32_t b) { copy_block<D>(b, blocks_.velocity, blocks_.sharp); });
+      ledger_ += sharpen(blocks_.previous, blocks_.sharp);
+    }
   }
 
   /// Velocity, position and stress of the particles from one grid velocity.
   void gather_velocity_and_deform() { gather_all<Task::velocity_and_deform>(); }
+
+  /// Velocity and position of the particles.
+  void gather_velocity_and_move() { gather_all<Task::velocity_and_move>(); }
 
   /// Velocity of the particles, and its momentum back to the tiles.
   void gather_velocity_and_remap() { gather_all<Task::velocity_and_remap>(); }
 
   /// The velocity field of the remapped momentum, within the boundaries.
   void constrain_remapped() {
-    executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
-      if (!idle(b)) remap_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
-    });
-    executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
-      if (!idle(tiling_.plane_blocks[i])) hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
-    });
+    for_each_block([&](std::uint32_t b) { remap_block(b, tiling_, accumulators_.data(), Shape::support, blocks_); });
+    hold(blocks_.remapped);
+    if constexpr (sharpens<Transfer> == Sharpens::grid) sharpen(blocks_.remapped, blocks_.remapped);
   }
 
   /// Position from the grid velocity, stress from the remapped one.
@@ -168,7 +194,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       sorter.template operator()<Shape>(body, tiling_.tiles, frame_, domain_, executor_, lost);
     });
     linker_(tiling_, blocks_, domain_, Shape::support, Shape::first);
-    blocks_.allocate(remaps_);
+    blocks_.allocate(remaps_, sharpens<Transfer> == Sharpens::incoming, sharpens<Transfer> != Sharpens::nothing);
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
     if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
@@ -277,6 +303,32 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
   }
 
+  template <class F>
+  void for_each_block(const F& f) {
+    executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
+      if (!idle(b)) f(std::uint32_t(b));
+    });
+  }
+
+  /// Holds a node field to the planes. \return what impulses that takes
+  GridLedger<D> hold(AlignedVector<T>& field) {
+    block_ledgers_.assign(tiling_.plane_blocks.size(), {});
+    executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
+      if (!idle(tiling_.plane_blocks[i]))
+        block_ledgers_[i] = hold_field(tiling_.plane_blocks[i], field, blocks_, domain_, Shape::support);
+    });
+    GridLedger<D> given;
+    for (const auto& l : block_ledgers_) given += l;
+    return given;
+  }
+
+  /// Adds to a node field what its like loses on the way to the particles and back. \return impulses of the planes
+  GridLedger<D> sharpen(const AlignedVector<T>& v, AlignedVector<T>& sharp) {
+    return passes::sharpen<Shape>([&](const auto& f) { for_each_awake_tile(f); },
+                                  [&](const auto& f) { for_each_block(f); }, [&](auto& field) { return hold(field); },
+                                  transfer_.order, v, sharp, tiling_, blocks_, frame_, accumulators_.data());
+  }
+
   template <class B>
   void look(const B& body, std::uint32_t t) {
     if constexpr (Sleep::sleeps) sleeper_.template look<Shape>(body, t, tiling_.tiles[t], frame_);
@@ -287,7 +339,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     for_each_awake_tile([&](auto& body, std::uint32_t t) {
       TileReport r = gather_tile<task, Shape>(body, transfer_, tiling_.tiles[t], tiling_.links, blocks_, frame_, dt_,
                                               accumulators_.data());
-      if constexpr (task != Task::velocity_and_remap) {
+      if constexpr (moves(task)) {
         r.fresh = reports_[t].fresh > 0 ? reports_[t].fresh : r.windows;
         reports_[t] = r;
         look(body, t);

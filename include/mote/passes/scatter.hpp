@@ -79,6 +79,28 @@ template <class Shape, AxisWeights Kind, class T, int D, int width>
   }
 }
 
+/// m_i = sum w m and p_i = sum w m (v + C (x_i - x_p)) alone for one tile: [p_x p_y p_z m], in the room of a Momentum.
+template <class Shape, class Transfer, class B, class T, int D>
+[[gnu::flatten, gnu::noinline]] void scatter_momentum_of_tile(const B& body, const Tile<D>& tile,
+                                                              const Frame<T, D>& frame, T* accumulators) {
+  constexpr int width = Momentum<T, D>::width;
+  static_assert(width > D);
+  const NodeBox<D> box(tile, Shape::support);
+  T* nodes = accumulators + tile.buffer * width;
+  std::fill_n(nodes, box.size * width, T(0));
+  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
+  const double spacing = frame.spacing;
+  for_each_pack(tile, [&](std::size_t first, int n) {
+    Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity, field::Mass>, particle_fields_of<Transfer>>> p;
+    body.particles.load(first, n, p);
+    Momentum<T, D> brought;
+    brought.template add_momentum<Transfer>(p, spacing);
+    brought.value[D] = get<field::Mass>(p);
+    scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(
+        nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
+  });
+}
+
 /// m_i = sum w m, p_i = sum w m (v + C (x_i - x_p)), f_i = -sum V sigma grad w for one tile.
 ///
 /// Flattened, like the other passes over tiles: a pack that is handed over in memory costs more than what is done to

@@ -1,0 +1,122 @@
+/// \file
+/// Sharpening: what a lumped mass smooths away of a velocity field, recovered by repeated transfers.
+///
+/// S takes a node field to the particles, (S v)_p = sum_i w_ip v_i, and S+ brings their momentum back,
+/// (S+ V)_i = sum_p w_ip m_p V_p / m_i. With the planes' projection P the operator B = P S+ S on the fields that the
+/// planes allow is self-adjoint and non-negative in the inner product of the nodes' masses, and at most 1. The
+/// consistent mass matrix is that of the lumped masses times B, so its inverse is the Neumann series sum (1 - B)^j,
+/// which never grows. Each correction d_j = (1 - B) d_(j-1) carries no momentum but what planes give (sum m_i (S+ S
+/// d)_i = sum m_i d_i), so an order cut off conserves momentum as exactly as none.
+#pragma once
+
+#include <mote/passes/batch.hpp>
+#include <mote/passes/grid_update.hpp>
+#include <mote/passes/scatter.hpp>
+
+namespace mote::passes {
+
+/// A node field to the particles of a tile, and its momentum back to the accumulators: the tile's part of m_i (S+ S
+/// v)_i.
+template <class Shape, class B, class T, int D>
+[[gnu::flatten, gnu::noinline]] void transfer_and_return(const B& body, const Tile<D>& tile,
+                                                         const std::vector<Link<D>>& links,
+                                                         const AlignedVector<T>& field, const Frame<T, D>& frame,
+                                                         T* accumulators) {
+  constexpr int half = grid::node_width<D>, width = Momentum<T, D>::width;
+  constexpr Wanted value{false, false};
+  const NodeBox<D> box(tile, Shape::support);
+  alignas(64) T nodes[NodeBox<D>::capacity(Shape::support) * half];
+  for (std::uint32_t k = tile.links_begin; k < tile.links_end; ++k) {
+    const T* block = field.data() + std::size_t(links[k].block) * grid::block_nodes<D> * half;
+    for_each_row(
+        links[k], box, [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
+          std::copy_n(block + std::ptrdiff_t(in_block) * half, count * half, nodes + std::ptrdiff_t(in_box) * half);
+        });
+  }
+  T* returned = accumulators + tile.buffer * width;
+  std::fill_n(returned, box.size * width, T(0));
+  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
+  BatchNodes<Shape, T, D> at;
+  SumColumns<value, T, D> sums;
+  for_each_batch(tile, [&](std::size_t begin, int count) {
+    at.clear();
+    Values<Pack<T>, D, fields<field::Position, field::Mass>> p;
+    for (int i = 0; i < count; i += lanes) {
+      body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
+      at.append(in_tile.in_cells(get<field::Position>(p)), box);
+    }
+    at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits,
+                           bool some) __attribute__((always_inline)) {
+      for (int c = 0; c < D; ++c) {
+        const Sums<T, D> of_node = gather<value>(nodes + std::ptrdiff_t(node) * half, c, box, stencil);
+        if (some)
+          sums.template put<true>(i, c, of_node, bits);
+        else
+          sums.template put<false>(i, c, of_node, bits);
+      }
+    });
+    for (int i = 0; i < count; i += lanes) {
+      const int n = std::min(lanes, count - i);
+      body.particles.load(begin + std::size_t(i), n, p);
+      Momentum<T, D> brought;
+      for (int c = 0; c < D; ++c) brought.value[c] = get<field::Mass>(p) * sums.value(i, c);
+      scatter_pack<Shape, AxisWeights::none>(returned, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value,
+                                             brought.axis);
+    }
+  });
+}
+
+/// residual -= S+ S residual on a block's nodes, before any plane.
+template <class T, int D>
+[[gnu::noinline]] void subtract_returned(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators,
+                                         int support, grid::Blocks<T, D>& blocks) {
+  constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
+  alignas(64) T sums[nodes * width];
+  sum_tiles<width>(block, tiling, accumulators, support, sums);
+  for (int i = 0; i < nodes; ++i) {
+    const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
+    const T m = blocks.mass[node];
+    Vec<T, D> d = node_vector<T, D>(blocks.residual.data(), node);
+    for (int a = 0; a < D; ++a) d[a] = m > T(0) ? d[a] - sums[i * width + a] / m : T(0);
+    set_node_vector(blocks.residual.data(), node, d);
+  }
+}
+
+template <int D>
+inline constexpr std::size_t block_numbers = std::size_t(grid::block_nodes<D>) * grid::node_width<D>;
+
+template <int D, class T>
+void copy_block(std::size_t block, const AlignedVector<T>& from, AlignedVector<T>& to) {
+  std::copy_n(from.data() + block * block_numbers<D>, block_numbers<D>, to.data() + block * block_numbers<D>);
+}
+template <int D, class T>
+void add_block(std::size_t block, const AlignedVector<T>& from, AlignedVector<T>& to) {
+  for (std::size_t i = block * block_numbers<D>; i < (block + 1) * block_numbers<D>; ++i) to[i] += from[i];
+}
+
+/// sharp += (1 - B) v + ... + (1 - B)^(order - 1) v.
+///
+/// \param for_each_tile, for_each_block  sweep over what is awake: f(body, tile), f(block)
+/// \param hold  holds a field to the planes and returns the impulses that they give
+/// \return the impulses that the planes give to the corrections
+template <class Shape, class ForEachTile, class ForEachBlock, class Hold, class T, int D>
+GridLedger<D> sharpen(const ForEachTile& for_each_tile, const ForEachBlock& for_each_block, const Hold& hold, int order,
+                      const AlignedVector<T>& v, AlignedVector<T>& sharp, const Tiling<D>& tiling,
+                      grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, T* accumulators) {
+  GridLedger<D> given;
+  if (order == 1) return given;
+  AlignedVector<T>& residual = blocks.residual;
+  for_each_block([&](std::uint32_t b) { copy_block<D>(b, v, residual); });
+  hold(residual);  // incoming velocities are not held to walls yet
+  for (int j = 1; j < order; ++j) {
+    for_each_tile([&](const auto& body, std::uint32_t t) {
+      transfer_and_return<Shape>(body, tiling.tiles[t], tiling.links, residual, frame, accumulators);
+    });
+    for_each_block([&](std::uint32_t b) { subtract_returned(b, tiling, accumulators, Shape::support, blocks); });
+    given += hold(residual);
+    for_each_block([&](std::uint32_t b) { add_block<D>(b, residual, sharp); });
+  }
+  return given;
+}
+
+}  // namespace mote::passes
