@@ -39,6 +39,7 @@
 #include <mote/grid/domain.hpp>
 #include <mote/heat/adiabatic.hpp>
 #include <mote/heat/concept.hpp>
+#include <mote/heat/conducting.hpp>
 #include <mote/heat/none.hpp>
 #include <mote/load/body_force.hpp>
 #include <mote/load/concept.hpp>
@@ -59,6 +60,7 @@
 #include <mote/particles/particles.hpp>
 #include <mote/passes/batch.hpp>
 #include <mote/passes/body.hpp>
+#include <mote/passes/conduction.hpp>
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
 #include <mote/passes/images.hpp>

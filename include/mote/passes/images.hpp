@@ -40,6 +40,12 @@ struct Images {
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>
   bool find(std::size_t number_of_node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
+    return find(number_of_node, domain, blocks, blocks.mass, support);
+  }
+  /// The same where another node field than the mass says which images count.
+  template <class T>
+  bool find(std::size_t number_of_node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks,
+            const AlignedVector<T>& mass, int support) {
     const IVec<D> node = blocks.coordinates(number_of_node);
     if (!concern(node, domain, support)) return false;
     count = 1;
@@ -54,7 +60,7 @@ struct Images {
         if (const auto& plane = domain.plane(a, end); plane && depth(*plane, a, end, node) <= ghosts(support))
           mirror(*plane, a, end, at);
     }
-    drop_massless(at, blocks);
+    drop_massless(at, blocks, mass);
     return true;
   }
 
@@ -127,11 +133,11 @@ struct Images {
   /// Leaves the node itself and the images that particles reach. Not before all are there: an image with mass may be
   /// that of one without.
   template <class T>
-  void drop_massless(const Places& at, const grid::Blocks<T, D>& blocks) {
+  void drop_massless(const Places& at, const grid::Blocks<T, D>& blocks, const AlignedVector<T>& mass) {
     int left = 1;
     for (int i = 1; i < count; ++i) {
       const std::size_t number = blocks.find(at[std::size_t(i)]);
-      if (number == blocks.none || blocks.mass[number] == T(0)) continue;
+      if (number == blocks.none || mass[number] == T(0)) continue;
       image[std::size_t(left)] = image[std::size_t(i)];
       image[std::size_t(left++)].node = number;
     }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include <mote/passes/conduction.hpp>
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
 #include <mote/passes/messages.hpp>
@@ -27,6 +28,10 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       "mote: two materials of one solver have the same C++ type and no operator==, so fill() cannot tell them "
       "apart; add a defaulted operator== to their parts");
 
+  static constexpr bool conducts = (Conducts<Materials> || ...);
+  static_assert(!(conducts && Sleep::sleeps),
+                "mote: heat flows in material at rest too; take sleep::Never with heat::Conducting");
+
   Frame<T, D> frame_;
   Transfer transfer_;
   Execution executor_;
@@ -35,6 +40,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   Bodies bodies_;
   Tiling<D> tiling_;
   [[no_unique_address]] Sleeper<Sleep, T, D> sleeper_;
+  [[no_unique_address]] Conduction<T, D, conducts> conduction_;
   Linker<T, D> linker_;
   grid::Blocks<T, D> blocks_;
   AlignedVector<T> accumulators_;
@@ -60,6 +66,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
             },
             materials)),
         sleeper_(sleep),
+        conduction_(grid.spacing, materials),
         remaps_(remaps) {
     require_distinct(materials);
   }
@@ -68,6 +75,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   void begin(double time, double dt) {
     time_ = time;
     dt_ = dt;
+    if constexpr (conducts)
+      if (const double due = conduction_.due(dt); due > 0) conduct(due);
   }
   /// It is done.
   void end() {
@@ -169,6 +178,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
     linker_(tiling_, blocks_, domain_, Shape::support, Shape::first);
     blocks_.allocate(remaps_);
+    if constexpr (conducts) conduction_.allocate(blocks_.nodes());
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
     if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
@@ -252,6 +262,14 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       executor_.for_each(body.tiles_end - body.tiles_begin,
                          [&](std::size_t i) { f(body, body.tiles_begin + std::uint32_t(i)); });
     });
+  }
+
+  /// Temperatures of the particles, by conduction for the time `due`.
+  void conduct(double due) {
+    const auto all = [&](const auto& f) {
+      for_each_tile([&](auto& body, std::uint32_t t) { f(body, tiling_.tiles[t]); });
+    };
+    conduction_.template conduct<Shape>(due, all, executor_, tiling_, blocks_, domain_, frame_, accumulators_.data());
   }
 
   bool awake(std::uint32_t tile) const {
