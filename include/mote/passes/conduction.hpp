@@ -90,7 +90,7 @@ template <class Shape, class B, class T, int D, class Gather, class F>
   });
 }
 
-/// Heat per second into the nodes, -sum V k grad T . grad w, of one tile.
+/// Heat per second into the nodes, -sum V k grad T . grad w, and sum w m cv (T_p - sum w T_i) of one tile.
 template <class Shape, class B, class T, int D>
 [[gnu::flatten, gnu::noinline]] void scatter_flux(const B& body, const Tile<D>& tile, const std::vector<Link<D>>& links,
                                                   const AlignedVector<T>& temperature, const Frame<T, D>& frame,
@@ -104,13 +104,15 @@ template <class Shape, class B, class T, int D>
     const NodeScalar<T, D, Shape> from(temperature, tile, links, box);
     SumColumns<wanted, T, D> sums;
     const T scale = T(-body.material.heat.conductivity / (body.material.rho0() * frame.spacing * frame.spacing));
+    const T specific_heat = T(body.material.heat.specific_heat);
     for_each_gathered_pack<Shape>(
         body, tile, frame, box, [&](const auto& at) { from.gather(sums, box, at); },
         [&](std::size_t first, int n, int i, const auto& in_tile) {
-          Values<Pack<T>, D, fields<field::Position, field::Mass, field::VolumeRatio>> p;
+          Values<Pack<T>, D, fields<field::Position, field::Mass, field::VolumeRatio, field::Temperature>> p;
           body.particles.load(first, n, p);
           Pack<T> value[width], axis[D][width];
-          value[0] = value[1] = Pack<T>(T(0));
+          value[0] = Pack<T>(T(0));
+          value[1] = specific_heat * get<field::Mass>(p) * (get<field::Temperature>(p) - sums.value(i, 0));
           for (int a = 0; a < D; ++a) {
             axis[a][0] = scale * get<field::Mass>(p) * get<field::VolumeRatio>(p) * sums.slope(i, 0, a);
             axis[a][1] = Pack<T>(T(0));
@@ -121,21 +123,22 @@ template <class Shape, class B, class T, int D>
   }
 }
 
-/// The particles' share of what the nodes gain in the time `dt`.
+/// T_p <- (1 - relaxed) T_p + sum w g_i.
 template <class Shape, class B, class T, int D>
 [[gnu::flatten, gnu::noinline]] void gather_heat(B& body, const Tile<D>& tile, const std::vector<Link<D>>& links,
-                                                 const AlignedVector<T>& rate, const Frame<T, D>& frame, double dt) {
+                                                 const AlignedVector<T>& gain, const Frame<T, D>& frame,
+                                                 double relaxed) {
   constexpr Wanted wanted{false, false};
   if constexpr (Conducts<typename B::Material>) {
     const NodeBox<D> box(tile, Shape::support);
-    const NodeScalar<T, D, Shape> from(rate, tile, links, box);
+    const NodeScalar<T, D, Shape> from(gain, tile, links, box);
     SumColumns<wanted, T, D> sums;
     for_each_gathered_pack<Shape>(
         body, tile, frame, box, [&](const auto& at) { from.gather(sums, box, at); },
         [&](std::size_t first, int n, int i, const auto&) {
           Values<Pack<T>, D, fields<field::Temperature>> p;
           body.particles.load(first, n, p);
-          get<field::Temperature>(p) += T(dt) * sums.value(i, 0);
+          get<field::Temperature>(p) = T(1 - relaxed) * get<field::Temperature>(p) + sums.value(i, 0);
           body.particles.store(first, n, p, fields<field::Temperature>{});
         });
   }
@@ -146,41 +149,47 @@ template <class T, int D, bool any>
 class Conduction {
  public:
   template <class... Materials>
-  explicit Conduction(double, const std::tuple<Materials...>&) {}
+  Conduction(double, int, const std::tuple<Materials...>&) {}
 };
 
 /// Explicit conduction of heat, in rounds of three sweeps over the particles:
 ///
-///     C_i = sum_p w_ip m cv,   C_i T_i = sum_p w_ip m cv T_p,
-///     Q_i = -sum_p V_p k (grad T)_p . grad w_ip,   (grad T)_p = sum_i T_i grad w_ip,
-///     T_p += dt sum_i w_ip Q_i/C_i.
+///     C_i = sum_p w_ip m cv,   T_i = sum_p w_ip m cv T_p / C_i,
+///     Q_i = -sum_p V_p k (grad T)_p . grad w_ip,   r_i = sum_p w_ip m cv (T_p - sum_j w_jp T_j) / C_i,
+///     T_p <- (1 - b) T_p + sum_i w_ip (dt Q_i/C_i + b (T_i + r_i)),   b = dt/limit.
 ///
-/// This is the weak form of rho cv dT/dt = div(k grad T) with a lumped capacity: where no particle is, nothing flows,
-/// so a free surface is insulated. The heat sum_p m cv T_p changes by dt sum_i Q_i, which vanishes since the kernels'
-/// gradients add up to nothing. As with FLIP, only the change is gathered: what the nodes cannot see of the particles'
-/// temperatures stays with them. At a mirror plane the temperature is even: a node and its images share capacity and
-/// heat, so nothing flows through.
+/// Without b this is the weak form of rho cv dT/dt = div(k grad T) with a lumped capacity, of which the particles gather
+/// the change, as with FLIP. Where no particle is, nothing flows: a free surface is insulated. At a mirror plane the
+/// temperature is even: a node and its images share capacity and heat, so nothing flows through. The heat sum m cv T_p
+/// changes by dt sum Q_i, which vanishes since the kernels' gradients add up to nothing.
 ///
-/// The explicit limit of full nodes with linear hats, h^2/(2 d alpha), is kept. It holds for all: a particle feels its
-/// nodes through the means that it takes part in, which take a mode at the end of the nodes' spectrum down by a factor
-/// (sin(k h/4)/(k h/4))^2 or less, also at a node of hardly any mass, whose own limit is nil.
-/// Source: Nairn, Guilkey, IJNME 101 (2015) 759 (conduction in MPM); stability as measured in
-/// tests/unit/passes/conduction.cpp.
+/// What nodes cannot see of the particles' temperatures, a contact of hot and cold or noise, would stay for ever. With
+/// M T the means of a field seen from the particles, T_p - sum_i w_ip (T_i + r_i) is (1 - M)^2 T: all of what nodes do
+/// not see, (k h/2)^4 of a smooth mode, and no heat. It decays at the rate 1/limit, slower than such short waves should.
+/// M is the idea of XPIC(2) (Hammerquist, Nairn, CMAME 318 (2017) 724). Source of the rest: Nairn, Guilkey, IJNME 101
+/// (2015) 759.
+///
+/// The limit is h^2/(2 d alpha), and half of it for linear hats. With B-splines a round takes at most 1.00 times a
+/// mode, and would be stable up to 2: for any place and size of the particles, since particles feel a node of hardly
+/// any mass, whose own limit is nil, by as small weights. With linear hats it takes up to 1.2 if particles are equally
+/// large, but far more where a sliver of a particle sits on a node at the surface: give those whole particles
+/// (Method::lattice). Measured in tests/unit/passes/conduction.cpp.
 template <class T, int D>
 class Conduction<T, D, true> {
   double limit_ = std::numeric_limits<double>::infinity();  // s
   int every_ = 0;                                           // steps; 0: as the limit allows
   double pending_ = 0;                                      // time since it last conducted, s
   int steps_ = 0;                                           // the same
-  AlignedVector<T> capacity_, temperature_, rate_;          // of nodes: J/K, K, K/s
+  AlignedVector<T> capacity_, temperature_, gain_;          // of nodes: J/K, K, K
 
  public:
   template <class... Materials>
-  Conduction(double spacing, const std::tuple<Materials...>& materials) {
+  Conduction(double spacing, int support, const std::tuple<Materials...>& materials) {
+    const double safety = support == 2 ? 0.5 : 1;
     const auto ask = [&](const auto& m) {
       if constexpr (Conducts<std::remove_cvref_t<decltype(m)>>) {
         const double alpha = m.heat.conductivity / (m.rho0() * m.heat.specific_heat);
-        limit_ = std::min(limit_, spacing * spacing / (2 * D * alpha));
+        limit_ = std::min(limit_, safety * spacing * spacing / (2 * D * alpha));
         if (m.heat.every > 0) every_ = every_ > 0 ? std::min(every_, int(m.heat.every)) : int(m.heat.every);
       }
     };
@@ -189,7 +198,7 @@ class Conduction<T, D, true> {
 
   /// The blocks have changed.
   void allocate(std::size_t nodes) {
-    for (auto* field : {&capacity_, &temperature_, &rate_}) {
+    for (auto* field : {&capacity_, &temperature_, &gain_}) {
       reserve_amply(*field, nodes);
       field->resize(nodes);
     }
@@ -210,7 +219,7 @@ class Conduction<T, D, true> {
   void conduct(double dt, const ForEachTile& for_each_tile, const Executor& executor, const Tiling<D>& tiling,
                const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, const Frame<T, D>& frame,
                T* accumulators) {
-    const double rounds = std::max(1.0, std::ceil(dt / limit_ - 1e-9));
+    const double rounds = std::max(1.0, std::ceil(dt / limit_ - 1e-9)), relaxed = std::min(1.0, dt / (rounds * limit_));
     const auto on_grid = [&](auto&& block, auto&& orbit) {
       executor.for_each(blocks.index.size(), [&](std::size_t b) { block(std::uint32_t(b)); });
       executor.for_each(tiling.plane_blocks.size(), [&](std::size_t i) {
@@ -224,10 +233,10 @@ class Conduction<T, D, true> {
       for_each_tile([&](auto& body, const Tile<D>& tile) {
         scatter_flux<Shape>(body, tile, tiling.links, temperature_, frame, accumulators);
       });
-      on_grid([&](std::uint32_t b) { set_rate(b, tiling, accumulators, Shape::support); },
-              [&](const Images<D>& images) { share_rate(images); });
+      on_grid([&](std::uint32_t b) { set_gain(b, tiling, accumulators, Shape::support, dt / rounds, relaxed); },
+              [&](const Images<D>& images) { share_gain(images, relaxed); });
       for_each_tile([&](auto& body, const Tile<D>& tile) {
-        gather_heat<Shape>(body, tile, tiling.links, rate_, frame, dt / rounds);
+        gather_heat<Shape>(body, tile, tiling.links, gain_, frame, relaxed);
       });
     }
   }
@@ -239,9 +248,11 @@ class Conduction<T, D, true> {
       temperature_[node] = capacity_[node] > T(0) ? record[1] / capacity_[node] : T(0);
     });
   }
-  void set_rate(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support) {
+  void set_gain(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support, double dt,
+                double relaxed) {
     for_each_sum(block, tiling, accumulators, support, [&](std::size_t node, const T* record) {
-      rate_[node] = capacity_[node] > T(0) ? record[0] / capacity_[node] : T(0);
+      const T change = T(dt) * record[0] + T(relaxed) * record[1];
+      gain_[node] = capacity_[node] > T(0) ? change / capacity_[node] + T(relaxed) * temperature_[node] : T(0);
     });
   }
   template <class F>
@@ -275,10 +286,11 @@ class Conduction<T, D, true> {
       temperature_[node] = capacity > T(0) ? heat / capacity : T(0);
     }
   }
-  void share_rate(const Images<D>& images) {
-    T rate = 0;
-    for (int k = 0; k < images.count; ++k) rate += rate_[images.image[std::size_t(k)].node];
-    for (int k = 0; k < images.count; ++k) rate_[images.image[std::size_t(k)].node] = rate;
+  void share_gain(const Images<D>& images, double relaxed) {
+    const T kept = T(relaxed) * temperature_[images.image[0].node];  // the same for all
+    T gain = kept;
+    for (int k = 0; k < images.count; ++k) gain += gain_[images.image[std::size_t(k)].node] - kept;
+    for (int k = 0; k < images.count; ++k) gain_[images.image[std::size_t(k)].node] = gain;
   }
 };
 

@@ -36,6 +36,7 @@ struct Images {
   std::array<int, D> held;   ///< per component: the boundary part that flips it in some image or on its plane, or -1
   std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
   std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
+  Vec<double, D> drift{};  ///< velocity of the planes, m/s; what they carry and demand is meant beside it
 
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>
@@ -70,7 +71,7 @@ struct Images {
     return v;
   }
 
-  /// Mass-weighted mean of a node field over the images: the field's projection on what the planes allow.
+  /// Mass-weighted mean of a velocity over the images, beside the drift: the field's projection on what the planes allow.
   template <class T>
   Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass) const {
     return mean_over(blocks, field, mass, zero, [](const Image&) { return true; });
@@ -148,12 +149,13 @@ struct Images {
   Vec<T, D> mean_over(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass,
                       const std::array<bool, D>& vanishes, const Counts& counts) const {
     Vec<T, D> momentum{};
+    const Vec<T, D> frame = cast<T>(drift);
     mass = T(0);
     for (int i = 0; i < count; ++i) {
       const Image& im = image[std::size_t(i)];
       if (!counts(im)) continue;
       mass += blocks.mass[im.node];
-      momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node), im);
+      momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node) - frame, im);
     }
     for (int c = 0; c < D; ++c) momentum[c] = vanishes[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
     return momentum;

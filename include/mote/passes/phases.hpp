@@ -13,6 +13,7 @@
 #include <mote/passes/messages.hpp>
 #include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
+#include <mote/passes/traction.hpp>
 
 namespace mote::passes {
 
@@ -22,12 +23,15 @@ class Phases;
 
 template <class Shape, class Transfer, class T, int D, class Execution, class Sleep, class Loads, class... Materials>
 class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials...>> {
-  using Bodies = std::tuple<Body<Materials, T, D, Transfer>...>;
+  template <class M>
+  using BodyOf = Body<M, T, D, Transfer, surface_fields<Loads, D>>;
+  using Bodies = std::tuple<BodyOf<Materials>...>;
   static_assert(
       can_be_told_apart<Materials...>,
       "mote: two materials of one solver have the same C++ type and no operator==, so fill() cannot tell them "
       "apart; add a defaulted operator== to their parts");
 
+  static constexpr bool loads_surfaces = surface_fields<Loads, D>::size > 0;
   static constexpr bool conducts = (Conducts<Materials> || ...);
   static_assert(!(conducts && Sleep::sleeps),
                 "mote: heat flows in material at rest too; take sleep::Never with heat::Conducting");
@@ -41,6 +45,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   Tiling<D> tiling_;
   [[no_unique_address]] Sleeper<Sleep, T, D> sleeper_;
   [[no_unique_address]] Conduction<T, D, conducts> conduction_;
+  [[no_unique_address]] Surface<Loads, D> surface_;
   Linker<T, D> linker_;
   grid::Blocks<T, D> blocks_;
   AlignedVector<T> accumulators_;
@@ -50,6 +55,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   bool remaps_;
   double disorder_ = 0;  ///< windows since the last sort beyond what the sorted particles took
   double time_ = 0, dt_ = 0;
+  Vec<double, D> drift_{};  ///< velocity of the grid in this step, m/s
 
  public:
   template <class Grid, class Boundaries>
@@ -66,7 +72,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
             },
             materials)),
         sleeper_(sleep),
-        conduction_(grid.spacing, materials),
+        conduction_(grid.spacing, Shape::support, materials),
         remaps_(remaps) {
     require_distinct(materials);
   }
@@ -75,6 +81,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   void begin(double time, double dt) {
     time_ = time;
     dt_ = dt;
+    drift_ = grid_velocity(time + 0.5 * dt);
     if constexpr (conducts)
       if (const double due = conduction_.due(dt); due > 0) conduct(due);
   }
@@ -83,6 +90,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     for (std::uint32_t t = 0; t < reports_.size(); ++t)
       if (awake(t)) disorder_ += double(reports_[t].windows) - double(reports_[t].fresh);
     if constexpr (Sleep::sleeps) sleeper_.pass(dt_);
+    if (domain_.mover()) follow();
   }
 
   // ---- the phases
@@ -102,10 +110,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
                                            frame_, loads_, time_, dt_);
     });
+    if constexpr (loads_surfaces) load_surfaces();
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
       if (idle(tiling_.plane_blocks[i])) return;
       block_ledgers_[blocks_.index.size() + i] =
-          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept());
+          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept(), drift_);
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
   }
@@ -122,7 +131,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       if (!idle(b)) remap_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
     });
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
-      if (!idle(tiling_.plane_blocks[i])) hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support);
+      if (!idle(tiling_.plane_blocks[i])) 
+        hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, drift_);
     });
   }
 
@@ -182,8 +192,9 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
     if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
+    const auto drift = cast<T>(grid_velocity(time_ + dt_));
     for_each_tile([&](auto& body, std::uint32_t t) {
-      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_);
+      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_, drift);
       look(body, t);
     });
     const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;
@@ -194,6 +205,10 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       throw NumericalError(
           "mote: the number type does not resolve positions to a cell; put the grid's origin nearer to the particles, "
           "or take double");
+    if constexpr (loads_surfaces) {
+      surface_.clear(blocks_.nodes());
+      for_each_body([&](const auto& body) { surface_.find(body, loads_); });
+    }
     check(step);
   }
 
@@ -215,6 +230,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   // ---- what others may look at
 
   const Frame<T, D>& frame() const { return frame_; }
+  const Loads& loads() const { return loads_; }
   const grid::Domain<D>& domain() const { return domain_; }
   const grid::Blocks<T, D>& blocks() const { return blocks_; }
   const GridLedger<D>& ledger() const { return ledger_; }
@@ -227,11 +243,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// The body whose material has this type and these numbers. Throws InputError if there is none.
   template <class M>
   auto& body_of(const M& material, const char* caller) {
-    return find_body<Body<M, T, D, Transfer>>(bodies_, material, caller);
+    return find_body<BodyOf<M>>(bodies_, material, caller);
   }
   template <class M>
   const auto& body_of(const M& material, const char* caller) const {
-    return find_body<const Body<M, T, D, Transfer>>(bodies_, material, caller);
+    return find_body<const BodyOf<M>>(bodies_, material, caller);
   }
   template <int I>
   auto& body() {
@@ -261,6 +277,37 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     for_each_body([&](auto& body) {
       executor_.for_each(body.tiles_end - body.tiles_begin,
                          [&](std::size_t i) { f(body, body.tiles_begin + std::uint32_t(i)); });
+    });
+  }
+
+  /// Forces on the particles' surfaces.
+  void load_surfaces() {
+    std::size_t number = 0;
+    for_each_body([&](const auto& body) {
+      surface_.template add<Shape>(number++, body, loads_, domain_, blocks_, frame_, time_);
+    });
+    ledger_ += surface_.push(blocks_, frame_, loads_, time_, dt_);
+  }
+
+  /// The grid goes with a plane that moves.
+  Vec<double, D> grid_velocity(double time) const {
+    Vec<double, D> v{};
+    if (const auto& mover = domain_.mover()) {
+      v[mover->side.axis] = mover->velocity(time);
+      if (!std::isfinite(v[mover->side.axis]))
+        throw NumericalError(text("mote: the piston's velocity is ", v[mover->side.axis], " m/s at time ", time, " s"));
+    }
+    return v;
+  }
+  /// Moves the grid to where its plane is after the step; the particles' places on it change.
+  void follow() {
+    const int axis = domain_.mover()->side.axis;
+    frame_.origin[axis] += drift_[axis] * dt_;
+    domain_.move(axis, frame_.origin[axis]);
+    const auto drift = cast<T>(grid_velocity(time_ + dt_));
+    for_each_tile([&](auto& body, std::uint32_t t) {
+      const TileReport r = survey_tile<Shape>(body, tiling_.tiles[t], frame_, drift);
+      reports_[t].max_speed = r.max_speed, reports_[t].failed = r.failed;
     });
   }
 
