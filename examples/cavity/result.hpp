@@ -28,12 +28,13 @@ struct Result {
   mote::observe::Sample first, last;
 };
 
-/// One compiled combination of shape function, transfer, update and number type.
+/// One compiled combination of shape function, transfer, update and number type, with or without conduction.
 struct Combination {
   Shape shape;
   Transfer transfer;
   Update update;
   Precision precision;
+  bool conducts;
   int bytes_per_particle;
   Result (*simulate)(const Options&, const Voice&);
 };
@@ -45,5 +46,6 @@ const Combination& find_combination(const Options& options);
 extern const std::array<Combination, 2> linear_flip, linear_apic, quadratic_flip, quadratic_apic, cubic_flip,
     cubic_apic;
 extern const std::array<Combination, 1> linear_flip_float, quadratic_apic_float, cubic_apic_float;
+extern const std::array<Combination, 3> conducting;
 
 }  // namespace cavity
