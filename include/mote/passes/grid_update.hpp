@@ -120,11 +120,11 @@ template <class T, int D, class Loads>
 template <class T, int D>
 [[gnu::noinline]] GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks,
                                                const grid::Domain<D>& domain, int support, double kept,
-                                               const Vec<double, D>& drift) {
+                                               const Vec<double, D>& frame_velocity) {
   GridLedger<D> ledger;
   Images<D> images;
-  images.drift = drift;
-  const Vec<T, D> u = cast<T>(drift);
+  images.frame_velocity = frame_velocity;
+  const Vec<T, D> u = cast<T>(frame_velocity);
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
@@ -144,7 +144,7 @@ template <class T, int D>
       for (std::size_t c = 0; c < std::size_t(D); ++c)
         if (images.held[c] >= 0) {
           ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
-          ledger.piston_work += double(push[int(c)]) * drift[int(c)];
+          ledger.piston_work += double(push[int(c)]) * frame_velocity[int(c)];
         }
       ledger.wall_loss += energy(m, whole[k] - u);
       ledger.work -= energy(m, raw) - energy(m, before) - double(m * dot(u, held - whole[k]));
@@ -174,9 +174,9 @@ template <class T, int D>
 /// Holds the remapped velocities to the planes.
 template <class T, int D>
 [[gnu::noinline]] void hold_remapped(std::uint32_t block, grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                                     int support, const Vec<double, D>& drift) {
+                                     int support, const Vec<double, D>& frame_velocity) {
   Images<D> images;
-  images.drift = drift;
+  images.frame_velocity = frame_velocity;
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
     if (!images.find(node, domain, blocks, support)) continue;
@@ -184,7 +184,7 @@ template <class T, int D>
     const Vec<T, D> v = images.mean(blocks, blocks.remapped, mass);
     for (int k = 0; k < images.count; ++k) {
       const auto& image = images.image[std::size_t(k)];
-      set_node_vector(blocks.remapped.data(), image.node, cast<T>(drift) + images.reflect(v, image));
+      set_node_vector(blocks.remapped.data(), image.node, cast<T>(frame_velocity) + images.reflect(v, image));
     }
   }
 }

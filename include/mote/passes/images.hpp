@@ -36,7 +36,7 @@ struct Images {
   std::array<int, D> held;   ///< per component: the boundary part that flips it in some image or on its plane, or -1
   std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
   std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
-  Vec<double, D> drift{};  ///< velocity of the planes, m/s; what they carry and demand is meant beside it
+  Vec<double, D> frame_velocity{};  ///< velocity of the planes, m/s; what they carry and demand is meant beside it
 
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>
@@ -71,7 +71,7 @@ struct Images {
     return v;
   }
 
-  /// Mass-weighted mean of a velocity over the images, beside the drift: the field's projection on what the planes allow.
+  /// Mass-weighted mean of a velocity over the images, beside that of the planes: the field's projection on what the planes allow.
   template <class T>
   Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass) const {
     return mean_over(blocks, field, mass, zero, [](const Image&) { return true; });
@@ -149,7 +149,7 @@ struct Images {
   Vec<T, D> mean_over(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass,
                       const std::array<bool, D>& vanishes, const Counts& counts) const {
     Vec<T, D> momentum{};
-    const Vec<T, D> frame = cast<T>(drift);
+    const Vec<T, D> frame = cast<T>(frame_velocity);
     mass = T(0);
     for (int i = 0; i < count; ++i) {
       const Image& im = image[std::size_t(i)];

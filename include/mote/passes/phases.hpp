@@ -55,7 +55,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   bool remaps_;
   double disorder_ = 0;  ///< windows since the last sort beyond what the sorted particles took
   double time_ = 0, dt_ = 0;
-  Vec<double, D> drift_{};  ///< velocity of the grid in this step, m/s
+  Vec<double, D> frame_velocity_{};  ///< velocity of the grid in this step, m/s
 
  public:
   template <class Grid, class Boundaries>
@@ -81,7 +81,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   void begin(double time, double dt) {
     time_ = time;
     dt_ = dt;
-    drift_ = grid_velocity(time + 0.5 * dt);
+    frame_velocity_ = grid_velocity(time + 0.5 * dt);
     if constexpr (conducts)
       if (const double due = conduction_.due(dt); due > 0) conduct(due);
   }
@@ -114,7 +114,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
       if (idle(tiling_.plane_blocks[i])) return;
       block_ledgers_[blocks_.index.size() + i] =
-          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept(), drift_);
+          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept(), frame_velocity_);
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
   }
@@ -132,7 +132,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
       if (!idle(tiling_.plane_blocks[i])) 
-        hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, drift_);
+        hold_remapped(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, frame_velocity_);
     });
   }
 
@@ -192,9 +192,9 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
     if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
-    const auto drift = cast<T>(grid_velocity(time_ + dt_));
+    const auto frame_velocity = cast<T>(grid_velocity(time_ + dt_));
     for_each_tile([&](auto& body, std::uint32_t t) {
-      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_, drift);
+      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_, frame_velocity);
       look(body, t);
     });
     const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;
@@ -302,11 +302,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// Moves the grid to where its plane is after the step; the particles' places on it change.
   void follow() {
     const int axis = domain_.mover()->side.axis;
-    frame_.origin[axis] += drift_[axis] * dt_;
+    frame_.origin[axis] += frame_velocity_[axis] * dt_;
     domain_.move(axis, frame_.origin[axis]);
-    const auto drift = cast<T>(grid_velocity(time_ + dt_));
+    const auto frame_velocity = cast<T>(grid_velocity(time_ + dt_));
     for_each_tile([&](auto& body, std::uint32_t t) {
-      const TileReport r = survey_tile<Shape>(body, tiling_.tiles[t], frame_, drift);
+      const TileReport r = survey_tile<Shape>(body, tiling_.tiles[t], frame_, frame_velocity);
       reports_[t].max_speed = r.max_speed, reports_[t].failed = r.failed;
     });
   }

@@ -9,7 +9,7 @@
 #include <mote/mote.hpp>
 #include <mote/observe/ledger.hpp>
 
-#include "../passes/schemes.hpp"
+#include "unit/passes/schemes.hpp"
 #include "catch.hpp"
 
 namespace {
