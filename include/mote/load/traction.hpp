@@ -38,9 +38,9 @@ class Where {
 /// its projections.
 ///
 /// The force goes to the particle's own nodes with its own weights, so each of them has mass: it acts at the particle's
-/// centre, half a particle below the surface. Waves from there are early by half a particle's width over c, an error of
-/// order 1 in h; momentum and force are right. (NairnMPM adds it at the particle's edge, which needs a kernel that ends
-/// there, GIMP.)
+/// centre, half a particle below the surface. That spoils the stress within a cell or so only: since force, mass and
+/// momentum are right, the wave runs as if sent out from the face, to order 2 in h (tests/unit/load/traction.cpp).
+/// NairnMPM adds it at the particle's edge instead, which needs a kernel that ends there.
 template <int D>
 struct Traction {
   using role = mote::role::Load;
