@@ -17,8 +17,7 @@ class TimeFunction {
   TimeFunction() = default;
   TimeFunction(double constant) : constant_(constant) {}
   template <class F>
-    requires(std::is_invocable_r_v<double, F, double>)
-  TimeFunction(F f) : function_(std::move(f)) {}
+  requires(std::is_invocable_r_v<double, F, double>) TimeFunction(F f) : function_(std::move(f)) {}
 
   double operator()(double time) const { return function_ ? function_(time) : constant_; }
 };

@@ -19,9 +19,9 @@ class Where {
  public:
   Where() = default;
   template <class R>
-    requires requires(const R& region, const Vec<double, D>& x) {
-      { region.contains(x) } -> std::convertible_to<bool>;
-    }
+  requires requires(const R& region, const Vec<double, D>& x) {
+    { region.contains(x) } -> std::convertible_to<bool>;
+  }
   Where(const R& region) : contains_([region](const Vec<double, D>& x) { return region.contains(x); }) {}
 
   bool operator()(const Vec<double, D>& x) const { return !contains_ || contains_(x); }

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include <mote/passes/batch.hpp>
+#include <mote/passes/grid_update.hpp>
 #include <mote/passes/images.hpp>
 #include <mote/passes/scatter.hpp>
-#include <mote/passes/grid_update.hpp>
 
 namespace mote::passes {
 
@@ -158,16 +158,16 @@ class Conduction {
 ///     Q_i = -sum_p V_p k (grad T)_p . grad w_ip,   r_i = sum_p w_ip m cv (T_p - sum_j w_jp T_j) / C_i,
 ///     T_p <- (1 - b) T_p + sum_i w_ip (dt Q_i/C_i + b (T_i + r_i)),   b = dt/limit.
 ///
-/// Without b this is the weak form of rho cv dT/dt = div(k grad T) with a lumped capacity, of which the particles gather
-/// the change, as with FLIP. Where no particle is, nothing flows: a free surface is insulated. At a mirror plane the
-/// temperature is even: a node and its images share capacity and heat, so nothing flows through. The heat sum m cv T_p
-/// changes by dt sum Q_i, which vanishes since the kernels' gradients add up to nothing.
+/// Without b this is the weak form of rho cv dT/dt = div(k grad T) with a lumped capacity, of which the particles
+/// gather the change, as with FLIP. Where no particle is, nothing flows: a free surface is insulated. At a mirror plane
+/// the temperature is even: a node and its images share capacity and heat, so nothing flows through. The heat sum m cv
+/// T_p changes by dt sum Q_i, which vanishes since the kernels' gradients add up to nothing.
 ///
 /// What nodes cannot see of the particles' temperatures, a contact of hot and cold or noise, would stay for ever. With
 /// M T the means of a field seen from the particles, T_p - sum_i w_ip (T_i + r_i) is (1 - M)^2 T: all of what nodes do
-/// not see, (k h/2)^4 of a smooth mode, and no heat. It decays at the rate 1/limit, slower than such short waves should.
-/// M is the idea of XPIC(2) (Hammerquist, Nairn, CMAME 318 (2017) 724). Source of the rest: Nairn, Guilkey, IJNME 101
-/// (2015) 759.
+/// not see, (k h/2)^4 of a smooth mode, and no heat. It decays at the rate 1/limit, slower than such short waves
+/// should. M is the idea of XPIC(2) (Hammerquist, Nairn, CMAME 318 (2017) 724). Source of the rest: Nairn, Guilkey,
+/// IJNME 101 (2015) 759.
 ///
 /// The limit is h^2/(2 d alpha), and half of it for linear hats. With B-splines a round takes at most 1.00 times a
 /// mode, and would be stable up to 2: for any place and size of the particles, since particles feel a node of hardly

@@ -77,7 +77,8 @@ class Taken {
   bool open(const Vec<double, D>& x, Side side, const grid::Domain<D>& domain) const {
     auto at = site(x);
     at[std::size_t(side.axis)] += side.upper ? 1 : -1;
-    const double centre = lattice_.origin[side.axis] + (double(at[std::size_t(side.axis)]) + 0.5) * lattice_.site_size();
+    const double centre =
+        lattice_.origin[side.axis] + (double(at[std::size_t(side.axis)]) + 0.5) * lattice_.site_size();
     return domain.contains(side.axis, centre) && !std::binary_search(sites_.begin(), sites_.end(), at);
   }
   double area() const { return std::pow(lattice_.site_size(), D - 1); }
@@ -129,9 +130,8 @@ class Surface<Loads, D, true> {
     auto& list = loaded_.emplace_back();
     for (std::size_t p = 0; p < body.particles.size(); ++p) {
       bool any = false;
-      for_each_surface_load<D>(loads, [&]<class Tag>(const auto&, Tag) {
-        any |= body.particles.template column<Tag>()[p] != 0;
-      });
+      for_each_surface_load<D>(
+          loads, [&]<class Tag>(const auto&, Tag) { any |= body.particles.template column<Tag>()[p] != 0; });
       if (any) list.push_back(std::uint32_t(p));
     }
   }

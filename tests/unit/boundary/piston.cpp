@@ -10,8 +10,8 @@
 #include <mote/mote.hpp>
 #include <mote/observe/ledger.hpp>
 
-#include "unit/passes/schemes.hpp"
 #include "catch.hpp"
+#include "unit/passes/schemes.hpp"
 
 namespace {
 
@@ -20,15 +20,20 @@ using Catch::Matchers::ContainsSubstring;
 
 template <class Scheme, int D, class... Sides>
 auto solver_with(double spacing, double dt, const Sides&... sides) {
-  return Solver{grid::Cartesian<D>{.spacing = spacing}, typename Scheme::Shape{}, transfer_of<Scheme>(0.9),
-                typename Scheme::Update{},              timestep::Fixed{.dt = dt}, aluminium,
+  return Solver{grid::Cartesian<D>{.spacing = spacing},
+                typename Scheme::Shape{},
+                transfer_of<Scheme>(0.9),
+                typename Scheme::Update{},
+                timestep::Fixed{.dt = dt},
+                aluminium,
                 sides...};
 }
 
 /// Particles by number: their places along the axis and the rest of the state.
 template <class S>
 auto by_id(const S& solver) {
-  std::map<std::uint32_t, Values<double, S::dimension, typename std::remove_cvref_t<decltype(solver.particles())>::list>>
+  std::map<std::uint32_t,
+           Values<double, S::dimension, typename std::remove_cvref_t<decltype(solver.particles())>::list>>
       all;
   for (std::size_t i = 0; i < solver.size(); ++i)
     solver.particles().load(i, all[solver.particles().template column<field::Id>()[i]]);
@@ -99,7 +104,8 @@ TEST_CASE("piston: the same in three dimensions, beside symmetry planes and a pe
   const boundary::Periodic around{.axis = axis::y, .from = 0, .to = 5 * h};
   const auto block = geometry::Box<3>{.lower = {0, 0, 0}, .upper = {4 * h, 5 * h, 8 * h}} -
                      geometry::Ball<3>{.centre = {h, 2 * h, 2 * h}, .radius = 1.6 * h};
-  auto pushed = solver_with<Scheme, 3>(h, 4e-11, mirror, around, boundary::Piston{.side = side::z_min, .velocity = 300});
+  auto pushed =
+      solver_with<Scheme, 3>(h, 4e-11, mirror, around, boundary::Piston{.side = side::z_min, .velocity = 300});
   auto launched = solver_with<Scheme, 3>(h, 4e-11, mirror, around, boundary::RigidWall{.side = side::z_min});
   pushed.fill(block, aluminium);
   launched.fill(block, aluminium, {.velocity = {0, 0, -300}});
@@ -121,7 +127,9 @@ double push_error(double spacing) {
     const double s = std::min(std::max(t, 0.0), period);
     return 0.5 * push * (s - period / (2 * pi) * std::sin(2 * pi * s / period));
   };
-  const auto velocity = [=](double t) { return t < 0 || t > period ? 0 : push * std::pow(std::sin(pi * t / period), 2); };
+  const auto velocity = [=](double t) {
+    return t < 0 || t > period ? 0 : push * std::pow(std::sin(pi * t / period), 2);
+  };
   Solver solver{grid::Cartesian<1>{.spacing = spacing},
                 typename Scheme::Shape{},
                 typename Scheme::Transfer{},
@@ -141,14 +149,16 @@ double push_error(double spacing) {
     sum += e * e;
   }
   // the plane has gone where the integral of its velocity says
-  CHECK(solver.frame().node_position(0, solver.domain().plane(0, 0)->node) == Approx(0.5 * push * period).epsilon(1e-9));
+  CHECK(solver.frame().node_position(0, solver.domain().plane(0, 0)->node) ==
+        Approx(0.5 * push * period).epsilon(1e-9));
   return std::sqrt(sum / double(place.size())) / way(period);
 }
 
 }  // namespace
 
 TEST_CASE("piston: a smooth push sends out the exact wave, to the order of the scheme", "[piston][boundary]") {
-  const double coarse = push_error<schemes::QuadraticFlipUsl>(0.5e-6), middle = push_error<schemes::QuadraticFlipUsl>(0.25e-6),
+  const double coarse = push_error<schemes::QuadraticFlipUsl>(0.5e-6),
+               middle = push_error<schemes::QuadraticFlipUsl>(0.25e-6),
                fine = push_error<schemes::QuadraticFlipUsl>(0.125e-6);
   CAPTURE(coarse, middle, fine);
   CHECK(std::log2(coarse / middle) > 1.8);
@@ -193,7 +203,8 @@ TEST_CASE("piston: into metal at rest at 100 and 500 m/s, against the exact shoc
 
 TEST_CASE("piston: what it cannot serve is refused in one sentence", "[piston][boundary]") {
   const auto with = [](const auto&... sides) {
-    Solver solver{grid::Cartesian<2>{.spacing = h}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{}, linear, sides...};
+    Solver solver{
+        grid::Cartesian<2>{.spacing = h}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{}, linear, sides...};
   };
   const boundary::Piston piston{.side = side::y_min, .velocity = 1};
   CHECK_NOTHROW(with(piston, boundary::Symmetry{.side = side::x_min}));
@@ -201,13 +212,18 @@ TEST_CASE("piston: what it cannot serve is refused in one sentence", "[piston][b
                     ContainsSubstring("axis y has a piston and another plane"));
   CHECK_THROWS_WITH(with(piston, boundary::RigidWall{.side = side::x_min}),
                     ContainsSubstring("take boundary::Symmetry beside a piston"));
-  CHECK_THROWS_WITH(with(piston, boundary::Piston{.side = side::x_min, .velocity = 1}), ContainsSubstring("two pistons"));
+  CHECK_THROWS_WITH(with(piston, boundary::Piston{.side = side::x_min, .velocity = 1}),
+                    ContainsSubstring("two pistons"));
   CHECK_THROWS_WITH(with(piston, boundary::Periodic{.axis = 1, .from = 0, .to = h}), ContainsSubstring("is periodic"));
   CHECK_THROWS_WITH(with(boundary::Piston{.side = side::y_min, .at = 0.4 * h, .velocity = 1}),
                     ContainsSubstring("must lie on a grid node"));
   CHECK_THROWS_WITH(with(boundary::Piston{.side = side::y_min, .velocity = std::numeric_limits<double>::infinity()}),
                     ContainsSubstring("a piston's velocity is inf"));
-  Solver solver{grid::Cartesian<1>{.spacing = h}, shape::Linear{}, transfer::Flip{}, timestep::Fixed{.dt = 1e-11}, linear,
+  Solver solver{grid::Cartesian<1>{.spacing = h},
+                shape::Linear{},
+                transfer::Flip{},
+                timestep::Fixed{.dt = 1e-11},
+                linear,
                 boundary::Piston{.side = side::x_min, .velocity = [](double t) { return t > 0 ? std::nan("") : 0; }}};
   solver.fill(geometry::Box<1>{.lower = {0}, .upper = {3 * h}}, linear);
   CHECK_THROWS_WITH(solver.step(), ContainsSubstring("the piston's velocity is nan m/s at time"));

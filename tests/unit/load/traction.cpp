@@ -9,8 +9,8 @@
 #include <mote/mote.hpp>
 #include <mote/observe/ledger.hpp>
 
-#include "unit/passes/schemes.hpp"
 #include "catch.hpp"
+#include "unit/passes/schemes.hpp"
 
 namespace {
 
@@ -74,9 +74,10 @@ TEMPLATE_TEST_CASE("traction: what the body gains is force times time, to round-
                 boundary::Periodic{.axis = axis::y, .from = 0, .to = 4 * h},
                 load::Traction<3>{.side = side::z_max, .traction = {3e8, 1e8, 2e8}},
                 load::Traction<3>{.side = side::z_min,
-                                  .traction = [](const Vec<double, 3>&, double t) {
-                                    return Vec<double, 3>{0, 0, t < 1e-9 ? -1e8 : 0};
-                                  }},
+                                  .traction =
+                                      [](const Vec<double, 3>&, double t) {
+                                        return Vec<double, 3>{0, 0, t < 1e-9 ? -1e8 : 0};
+                                      }},
                 aluminium};
   solver.fill(geometry::Box<3>{.lower = {0, 0, 0}, .upper = {3 * h, 4 * h, 5 * h}}, aluminium, {.jitter = 0.2});
   Vec<double, 3> given{};
@@ -106,14 +107,15 @@ Errors pull_error(double spacing) {
     return 0.5 * pull / rho_c * (s - period / (2 * pi) * std::sin(2 * pi * s / period));
   };
   const auto stress = [=](double t) { return t < 0 || t > period ? 0 : pull * std::pow(std::sin(pi * t / period), 2); };
-  Solver solver{grid::Cartesian<1>{.spacing = spacing},
-                typename Scheme::Shape{},
-                typename Scheme::Transfer{},
-                typename Scheme::Update{},
-                timestep::Cfl{.courant = 0.2},
-                load::Traction<1>{.side = side::x_max,
-                                  .traction = [=](const Vec<double, 1>&, double t) { return Vec<double, 1>{stress(t)}; }},
-                linear};
+  Solver solver{
+      grid::Cartesian<1>{.spacing = spacing},
+      typename Scheme::Shape{},
+      typename Scheme::Transfer{},
+      typename Scheme::Update{},
+      timestep::Cfl{.courant = 0.2},
+      load::Traction<1>{.side = side::x_max,
+                        .traction = [=](const Vec<double, 1>&, double t) { return Vec<double, 1>{stress(t)}; }},
+      linear};
   solver.fill(geometry::Box<1>{.lower = {0}, .upper = {length}}, linear);
   solver.refresh();
   const auto x = solver.particles().template column<field::Position>();
@@ -138,7 +140,8 @@ Errors pull_error(double spacing) {
 }  // namespace
 
 TEST_CASE("traction: a bar's pulled end sends out the exact elastic wave", "[load]") {
-  const Errors coarse = pull_error<schemes::QuadraticFlipUsl>(0.5e-6), middle = pull_error<schemes::QuadraticFlipUsl>(0.25e-6),
+  const Errors coarse = pull_error<schemes::QuadraticFlipUsl>(0.5e-6),
+               middle = pull_error<schemes::QuadraticFlipUsl>(0.25e-6),
                fine = pull_error<schemes::QuadraticFlipUsl>(0.125e-6);
   CAPTURE(coarse.at_centre, middle.at_centre, fine.at_centre, coarse.at_face, middle.at_face, fine.at_face);
   // the force acts at the last particle's centre, but on all of the mass up to the face: the wave comes from there
@@ -152,7 +155,8 @@ namespace {
 
 // a load on a surface is paid for where there is one
 template <class... Loads>
-using Body = decltype(Solver{grid::Cartesian<3>{}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{}, linear, Loads{}...});
+using Body = decltype(Solver{grid::Cartesian<3>{}, shape::Linear{}, transfer::Flip{}, timestep::Cfl{}, linear,
+                             Loads{}...});
 static_assert(Body<load::Traction<3>>::bytes_per_particle<> == Body<>::bytes_per_particle<> + 8);
 static_assert(Body<load::BodyForce<3>>::bytes_per_particle<> == Body<>::bytes_per_particle<>);
 static_assert(std::is_empty_v<passes::Surface<std::tuple<load::BodyForce<3>>, 3>>);

@@ -22,7 +22,8 @@ const eos::LinearBulk bulk{.rho0 = rho, .bulk_modulus = 77e9};
 
 /// So soft that nothing moves, unless said otherwise.
 auto metal(int every = 0, double conductivity = k, double modulus = 1e-3) {
-  return Material{eos::LinearBulk{.rho0 = rho, .bulk_modulus = modulus}, heat::Conducting{.specific_heat = cv, .conductivity = conductivity, .every = every}};
+  return Material{eos::LinearBulk{.rho0 = rho, .bulk_modulus = modulus},
+                  heat::Conducting{.specific_heat = cv, .conductivity = conductivity, .every = every}};
 }
 
 template <class P>
@@ -119,8 +120,13 @@ void compare_with_textbook() {
   const double limit = h * h / (2 * D * alpha) * (Shape::support == 2 ? 0.5 : 1), dt = 0.4 * limit;
   std::vector<Plane> lower, upper;
   const auto make = [&](auto... axes) {
-    return Solver{grid::Cartesian<D>{.spacing = h}, Shape{}, transfer::Flip{}, timestep::Fixed{.dt = dt}, metal(1),
-                  Plane{.side = {axes, false}, .at = 0}..., Plane{.side = {axes, true}, .at = cells * h}...};
+    return Solver{grid::Cartesian<D>{.spacing = h},
+                  Shape{},
+                  transfer::Flip{},
+                  timestep::Fixed{.dt = dt},
+                  metal(1),
+                  Plane{.side = {axes, false}, .at = 0}...,
+                  Plane{.side = {axes, true}, .at = cells * h}...};
   };
   auto solver = [&] {
     if constexpr (D == 1)
@@ -150,7 +156,6 @@ void compare_with_textbook() {
 
 // ---- exact modes
 
-
 /// T = 300 + prod cos(2 pi x_a/L + phase), in a box with n cells per axis, whose sides the boundaries are.
 template <class Shape, int D, class... Boundaries>
 double mode_error(int n, double wave_number, double phase, int every, double steps_per_limit, Boundaries... sides) {
@@ -158,8 +163,8 @@ double mode_error(int n, double wave_number, double phase, int every, double ste
   const double limit = spacing * spacing / (2 * D * alpha), end = 1 / rate;
   const int steps = every * int(std::ceil(end / limit * steps_per_limit / every));
   const auto m = metal(every);
-  Solver solver{grid::Cartesian<D>{.spacing = spacing}, Shape{}, transfer::Apic{}, timestep::Fixed{.dt = end / steps},
-                m, sides...};
+  Solver solver{grid::Cartesian<D>{.spacing = spacing}, Shape{}, transfer::Apic{},
+                timestep::Fixed{.dt = end / steps},     m,       sides...};
   solver.fill(geometry::Box<D>{.lower = {}, .upper = Vec<double, D>::filled(length)}, m);
   solver.refresh();
   auto& p = solver.particles();
@@ -214,10 +219,9 @@ TEMPLATE_TEST_CASE("conduction: a mode decays with exp(-alpha k^2 t), to order 2
 TEST_CASE("conduction: an oblique mode in the plane, to order 2", "[conduction]") {
   const double length = 16e-6;
   const auto error = [&](int n) {
-    return mode_error<shape::QuadraticBSpline, 2>(n, 2 * pi / length, 0, 1, 1,
-                                                  boundary::RigidWall{.side = side::x_min, .at = 0},
-                                                  boundary::Symmetry{.side = side::x_max, .at = length},
-                                                  boundary::Periodic{.axis = 1, .from = 0, .to = length});
+    return mode_error<shape::QuadraticBSpline, 2>(
+        n, 2 * pi / length, 0, 1, 1, boundary::RigidWall{.side = side::x_min, .at = 0},
+        boundary::Symmetry{.side = side::x_max, .at = length}, boundary::Periodic{.axis = 1, .from = 0, .to = length});
   };
   CHECK(std::log2(error(32) / error(64)) == Approx(2).margin(0.1));
 }
@@ -299,8 +303,13 @@ TEST_CASE("conduction: a body shares its heat with one that conducts, and with n
   const Material hot{bulk, heat::Conducting{.specific_heat = cv, .initial_temperature = 400, .conductivity = k}};
   const Material cold{bulk, heat::Conducting{.specific_heat = 2 * cv, .initial_temperature = 300, .conductivity = k}};
   const Material insulator{bulk, heat::Adiabatic{.specific_heat = cv, .initial_temperature = 500}};
-  Solver solver{grid::Cartesian<1>{.spacing = cell}, shape::QuadraticBSpline{}, transfer::Apic{},
-                timestep::Fixed{.dt = 1e-10}, hot, cold, insulator};
+  Solver solver{grid::Cartesian<1>{.spacing = cell},
+                shape::QuadraticBSpline{},
+                transfer::Apic{},
+                timestep::Fixed{.dt = 1e-10},
+                hot,
+                cold,
+                insulator};
   solver.fill(geometry::Box<1>{.lower = {0}, .upper = {5 * cell}}, hot);
   solver.fill(geometry::Box<1>{.lower = {5 * cell}, .upper = {10 * cell}}, cold);
   solver.fill(geometry::Box<1>{.lower = {10 * cell}, .upper = {15 * cell}}, insulator);
