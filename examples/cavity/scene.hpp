@@ -21,8 +21,7 @@ template <bool conducts>
 auto aluminium(const Options& o) {
   const auto heat = [&] {
     if constexpr (conducts)
-      return mote::heat::Conducting{
-          .specific_heat = 880, .initial_temperature = 300, .conductivity = o.conductivity};
+      return mote::heat::Conducting{.specific_heat = 880, .initial_temperature = 300, .conductivity = o.conductivity};
     else
       return mote::heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300};
   };
@@ -133,7 +132,8 @@ Result simulate(const Options& o, const Voice& voice) {
 template <class Shape, class Transfer, class T>
 constexpr int bytes_per_particle() {
   using namespace mote;
-  using Any = decltype(Solver{grid::Cartesian<3, T>{}, Shape{}, Transfer{}, timestep::Cfl{}, aluminium<false>(Options{})});
+  using Any =
+      decltype(Solver{grid::Cartesian<3, T>{}, Shape{}, Transfer{}, timestep::Cfl{}, aluminium<false>(Options{})});
   return Any::template bytes_per_particle<>;
 }
 

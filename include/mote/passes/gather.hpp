@@ -243,8 +243,8 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   return report;
 }
 
-/// Range of lowest nodes and the report of a tile as it stands, after a sort, when columns were written from outside, or
-/// when the grid has moved. \param frame_velocity that of the grid, m/s; speeds are reported beside it
+/// Range of lowest nodes and the report of a tile as it stands, after a sort, when columns were written from outside,
+/// or when the grid has moved. \param frame_velocity that of the grid, m/s; speeds are reported beside it
 template <class Shape, class B, class T, int D>
 [[gnu::flatten, gnu::noinline]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame,
                                                        const Vec<T, D>& frame_velocity) {

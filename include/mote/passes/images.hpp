@@ -71,7 +71,8 @@ struct Images {
     return v;
   }
 
-  /// Mass-weighted mean of a velocity over the images, beside that of the planes: the field's projection on what the planes allow.
+  /// Mass-weighted mean of a velocity over the images, beside that of the planes: the field's projection on what the
+  /// planes allow.
   template <class T>
   Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass) const {
     return mean_over(blocks, field, mass, zero, [](const Image&) { return true; });
