@@ -26,6 +26,18 @@ void check_body(const Options& o) {
   demand(o.hardening >= 0 && o.hardening <= 1e5, "--hardening is ", o.hardening, " MPa; it must be from 0 to 1e5");
 }
 
+void check_conduction(Options& o) {
+  demand(o.conductivity >= 0 && o.conductivity <= 1e5, "--conductivity is ", o.conductivity,
+         " W/(m K); it must be from 0 to 1e5");
+  if (o.conductivity > 0) {
+    demand(!o.sleep.value_or(false), "--sleep on does not go with --conductivity ", o.conductivity,
+           ": heat flows in material at rest too; it needs --sleep off");
+    demand(o.shape != Shape::linear || o.fill == Fill::lattice, "--fill fraction does not go with --conductivity ",
+           o.conductivity, " and --shape linear, which slivers can make unstable; it needs --fill lattice");
+  }
+  o.sleep = o.sleep.value_or(o.conductivity == 0);
+}
+
 void check_cavity(const Options& o) {
   demand(o.radius >= 0 && std::isfinite(o.radius), "--radius is ", o.radius, " um; it must be >= 0 (0: no cavity)");
   if (o.radius == 0) return;
@@ -99,6 +111,7 @@ void check(Options& options) {
   check_mesh(options);
   check_cavity(options);
   check_method(options);
+  check_conduction(options);
   check_output(options);
 }
 

@@ -13,7 +13,8 @@ template <std::size_t... N>
 const Combination* find(const Options& o, const std::array<Combination, N>&... tables) {
   const Combination* found = nullptr;
   const auto look = [&](const Combination& c) {
-    if (c.shape == o.shape && c.transfer == o.transfer && c.update == o.update && c.precision == o.precision)
+    if (c.shape == o.shape && c.transfer == o.transfer && c.update == o.update && c.precision == o.precision &&
+        c.conducts == (o.conductivity > 0))
       found = &c;
   };
   (std::for_each(tables.begin(), tables.end(), look), ...);
@@ -25,8 +26,13 @@ const Combination* find(const Options& o, const std::array<Combination, N>&... t
 const Combination& find_combination(const Options& o) {
   const auto* found = find(o, linear_flip, linear_apic, gimp_flip, quadratic_flip, quadratic_apic, cubic_flip,
                            cubic_apic, linear_xpic, quadratic_xpic, quadratic_fmpm, usf, linear_flip_float,
-                           quadratic_apic_float, cubic_apic_float);
+                           quadratic_apic_float, cubic_apic_float, conducting);
   if (found) return *found;
+  if (o.conductivity > 0)
+    throw BadOption(mote::text("--conductivity ", o.conductivity, " is not available with --shape ", to_string(o.shape),
+                               " --transfer ", to_string(o.transfer), " --update ", to_string(o.update),
+                               " --precision ", to_string(o.precision),
+                               "; it is with quadratic apic usl, quadratic flip usl and linear flip musl in double"));
   if ((o.shape == Shape::gimp || o.shape == Shape::cpgimp) && o.transfer != Transfer::flip)
     throw BadOption(mote::text("--transfer ", to_string(o.transfer), " is not available with --shape ",
                                to_string(o.shape), "; it needs --transfer flip"));

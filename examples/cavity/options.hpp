@@ -42,7 +42,8 @@ struct Options {
   int threads = 0;  ///< 0: all
   Precision precision = Precision::double_;
   double yield = 120, hardening = 384;  ///< MPa
-  bool sleep = true;
+  double conductivity = 0;              ///< W/(m K)
+  std::optional<bool> sleep;            ///< on unless given, or heat is conducted; check() decides
   double sleep_tolerance = mote::sleep::Quiescent{}.tolerance;
   std::string out = "cavity-out";
   bool overwrite = false;

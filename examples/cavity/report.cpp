@@ -47,9 +47,9 @@ json configuration(const Options& o) {
           {"domain", to_string(o.domain)},
           {"precision", to_string(o.precision)},
           {"threads", o.threads},
-          {"sleep", o.sleep ? "on" : "off"},
-          {"sleep_tolerance", o.sleep ? json(o.sleep_tolerance) : json(nullptr)},
-          {"conductivity_w_m_k", 0},
+          {"sleep", o.sleep.value_or(true) ? "on" : "off"},
+          {"sleep_tolerance", o.sleep.value_or(true) ? json(o.sleep_tolerance) : json(nullptr)},
+          {"conductivity_w_m_k", o.conductivity},
           {"sample_ns", o.sample},
           {"frames", o.frames},
           {"out", o.out}};

@@ -28,12 +28,13 @@ struct Result {
   mote::observe::Sample first, last;
 };
 
-/// One compiled combination of shape function, transfer, update and number type.
+/// One compiled combination of shape function, transfer, update and number type, with or without conduction.
 struct Combination {
   Shape shape;
   Transfer transfer;
   Update update;
   Precision precision;
+  bool conducts;
   int bytes_per_particle;
   Result (*simulate)(const Options&, const Voice&);
 };
@@ -49,5 +50,6 @@ extern const std::array<Combination, 1> linear_xpic, quadratic_fmpm;
 extern const std::array<Combination, 2> quadratic_xpic;
 extern const std::array<Combination, 3> usf;  // with FLIP and APIC
 extern const std::array<Combination, 1> linear_flip_float, quadratic_apic_float, cubic_apic_float;
+extern const std::array<Combination, 3> conducting;
 
 }  // namespace cavity

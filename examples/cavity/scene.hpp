@@ -17,12 +17,19 @@ namespace cavity {
 
 inline constexpr double um = 1e-6, ns = 1e-9, mpa = 1e6;
 
-inline auto aluminium(const Options& o) {
+template <bool conducts>
+auto aluminium(const Options& o) {
+  const auto heat = [&] {
+    if constexpr (conducts)
+      return mote::heat::Conducting{.specific_heat = 880, .initial_temperature = 300, .conductivity = o.conductivity};
+    else
+      return mote::heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300};
+  };
   return mote::Material{
       mote::eos::MieGruneisen{.rho0 = 2700, .c0 = 5350, .lambda = 1.34, .gamma0 = 1.96},
       mote::strength::VonMises{
           .shear_modulus = 69e9 / (2 * (1 + 0.33)), .yield = o.yield * mpa, .hardening = o.hardening * mpa},
-      mote::heat::Adiabatic{.specific_heat = 880, .initial_temperature = 300}};
+      heat()};
 }
 
 template <class T>
@@ -91,10 +98,16 @@ Result run(Solver& solver, const Options& o, const Voice& voice) {
 }
 
 /// Assembles a solver from these parts and the options, and runs it.
-template <class Shape, class Transfer, class Update, class T>
+template <class Shape, class Transfer, class Update, class T, bool conducts>
 Result simulate(const Options& o, const Voice& voice) {
   using namespace mote;
-  const auto metal = aluminium(o);
+  const auto metal = aluminium<conducts>(o);
+  const auto rest = [&] {
+    if constexpr (conducts)
+      return sleep::Never{};
+    else
+      return sleep::Quiescent{.tolerance = o.sleep_tolerance, .enabled = o.sleep.value_or(true)};
+  };
   const auto with = [&](const auto&... sides) {
     Solver solver{grid::Cartesian<3, T>{.spacing = o.spacing * um},
                   Shape{},
@@ -102,7 +115,7 @@ Result simulate(const Options& o, const Voice& voice) {
                   Update{},
                   timestep::Cfl{.courant = o.courant},
                   execution::Threads{o.threads},
-                  sleep::Quiescent{.tolerance = o.sleep_tolerance, .enabled = o.sleep},
+                  rest(),
                   boundary::RigidWall{.side = side::z_min, .at = 0},
                   sides...,
                   metal};
@@ -121,19 +134,21 @@ Result simulate(const Options& o, const Voice& voice) {
 template <class Shape, class Transfer, class T>
 constexpr int bytes_per_particle() {
   using namespace mote;
-  using Any = decltype(Solver{grid::Cartesian<3, T>{}, Shape{}, Transfer{}, timestep::Cfl{}, aluminium(Options{})});
+  using Any =
+      decltype(Solver{grid::Cartesian<3, T>{}, Shape{}, Transfer{}, timestep::Cfl{}, aluminium<false>(Options{})});
   return Any::template bytes_per_particle<>;
 }
 
 /// An entry of the table in combinations.cpp: the words for the parts, and the parts.
-template <class S, class X, class U, class T>
+template <class S, class X, class U, class T, bool conducts = false>
 constexpr Combination combination(Shape shape, Transfer transfer, Update update) {
   return {shape,
           transfer,
           update,
           sizeof(T) == 4 ? Precision::single_ : Precision::double_,
+          conducts,
           bytes_per_particle<S, X, T>(),
-          &simulate<S, X, U, T>};
+          &simulate<S, X, U, T, conducts>};
 }
 
 }  // namespace cavity

@@ -40,10 +40,16 @@ inline constexpr bool are_boundaries = false;
 template <class... B>
 inline constexpr bool are_boundaries<std::tuple<B...>> = (Boundary<B> && ...);
 
+/// Whether one of them takes the grid along.
+template <class Boundaries>
+inline constexpr bool moves = false;
+template <class... B>
+inline constexpr bool moves<std::tuple<B...>> = (MovingPlane<B> || ...);
+
 template <class Loads, int D>
 inline constexpr bool are_loads = false;
 template <class... L, int D>
-inline constexpr bool are_loads<std::tuple<L...>, D> = (LoadIn<L, D> && ...);
+inline constexpr bool are_loads<std::tuple<L...>, D> = ((LoadIn<L, D> || SurfaceLoadIn<L, D>)&&...);
 
 /// What an observer says of itself; see Solver::run().
 template <class O>

@@ -5,6 +5,7 @@
 #include <mote/assembly.hpp>
 #include <mote/boundary/concept.hpp>
 #include <mote/boundary/periodic.hpp>
+#include <mote/boundary/piston.hpp>
 #include <mote/boundary/rigid_wall.hpp>
 #include <mote/boundary/symmetry.hpp>
 #include <mote/core/aligned.hpp>
@@ -15,6 +16,7 @@
 #include <mote/core/role.hpp>
 #include <mote/core/spectral.hpp>
 #include <mote/core/tensor.hpp>
+#include <mote/core/time_function.hpp>
 #include <mote/core/vec.hpp>
 #include <mote/core/vector_field.hpp>
 #include <mote/core/version.hpp>
@@ -58,9 +60,11 @@
 #include <mote/grid/domain.hpp>
 #include <mote/heat/adiabatic.hpp>
 #include <mote/heat/concept.hpp>
+#include <mote/heat/conducting.hpp>
 #include <mote/heat/none.hpp>
 #include <mote/load/body_force.hpp>
 #include <mote/load/concept.hpp>
+#include <mote/load/traction.hpp>
 #include <mote/material.hpp>
 #include <mote/observe/axis_profile.hpp>
 #include <mote/observe/extremes.hpp>
@@ -78,6 +82,7 @@
 #include <mote/particles/particles.hpp>
 #include <mote/passes/batch.hpp>
 #include <mote/passes/body.hpp>
+#include <mote/passes/conduction.hpp>
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
 #include <mote/passes/images.hpp>
@@ -90,6 +95,7 @@
 #include <mote/passes/sort.hpp>
 #include <mote/passes/stencil.hpp>
 #include <mote/passes/tiles.hpp>
+#include <mote/passes/traction.hpp>
 #include <mote/shape/concept.hpp>
 #include <mote/shape/cubic_bspline.hpp>
 #include <mote/shape/gimp.hpp>

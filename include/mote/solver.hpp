@@ -60,10 +60,12 @@ class Solver {
   static_assert(mote::Sleep<Sleep>, "mote: the sleep policy lacks a member; sleep/concept.hpp lists them");
   static_assert(!Sleep::sleeps || std::tuple_size_v<Loads> == 0,
                 "mote: material at rest does not stay there under a load; take sleep::Never with loads");
+  static_assert(!(Sleep::sleeps && detail::moves<Boundaries>),
+                "mote: the grid goes with a piston, but not with what sleeps; take sleep::Never with boundary::Piston");
   static_assert(detail::are_boundaries<Boundaries>, "mote: a boundary lacks a member; boundary/concept.hpp lists them");
   static_assert(detail::are_loads<Loads, Grid::dimension>,
                 "mote: a load does not fit the grid's dimension, or has no "
-                "acceleration(position, time)");
+                "acceleration(position, time), or side, where(position) and traction(position, time)");
 
  public:
   static constexpr int dimension = Grid::dimension;
@@ -115,7 +117,11 @@ class Solver {
   std::size_t fill(const R& region, const M& material, const Fill<D>& how = {}) {
     static_assert(Phases::template holds<M>, "mote: fill() was given a material that the solver does not hold");
     auto& body = phases_.body_of(material, "fill()");
+    const std::size_t first = body.particles.size();
     const std::size_t added = append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
+    if constexpr (passes::surface_fields<Loads, D>::size > 0)
+      passes::mark_surfaces(body, first, phases_.loads(),
+                            geometry::Lattice<D>{spacing(), how.per_axis, phases_.frame().origin}, domain());
     next_id_ += added;
     sorted_ = false;
     return added;

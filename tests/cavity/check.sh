@@ -40,7 +40,6 @@ bad_words() {
   refuses "--transfer is 'pic'; choose flip, apic, xpic or fmpm" --transfer pic
   refuses "--update is 'usm'; choose usl, musl or usf" --update usm
   refuses "--sleep is 'deep'; choose on or off" --sleep deep
-  refuses "--conductivity is 237; conduction is not available yet" --conductivity 237
   refuses "--fill is 'sand'; choose lattice or fraction" --fill sand
   refuses "--domain is 'half'; choose full or quarter" --domain half
   refuses "--precision is 'half'; choose double or float" --precision half
@@ -67,6 +66,10 @@ bad_values() {
   refuses "--threads is -1; it must be from 0 (all) to 1024" --threads -1
   refuses "--frames is 1; it must be 0 (none) or from 2" --frames 1
   refuses "--speed is 1e+06 m/s; it must be from -5000 to 5000" --speed 1e6
+  refuses "--conductivity is -1 W/(m K); it must be from 0" --conductivity -1
+  refuses "--sleep on does not go with --conductivity 237" --conductivity 237 --sleep on
+  refuses "it needs --fill lattice" --conductivity 237 --preset paper --fill fraction
+  refuses "--conductivity 237 is not available with --shape cubic" --conductivity 237 --shape cubic
   refuses "--yield is 0 MPa; it must be > 0" --yield 0
   refuses "--hardening is -1 MPa; it must be from 0" --hardening -1
 }
@@ -132,6 +135,8 @@ runs() {
   good float --precision float --frames 0
   good cubic-float --precision float --shape cubic --frames 0
   good order --transfer xpic --order 2 --frames 0
+  good warm --conductivity 237 --frames 0
+  good warm-paper --preset paper --conductivity 237 "${tiny[@]}" --frames 0
   good into-wall --speed -100 --jitter 0.2 --seed 7 --frames 0 --threads 3 --flip-blend 0.9 --transfer flip
 }
 

@@ -22,6 +22,12 @@ concept MirrorPlane = HasRole<B, role::Boundary> && requires(const B& b) {
   { B::body_beyond } -> std::convertible_to<bool>;
 };
 
+/// A mirror plane that moves; velocity(t) along its axis, m/s. The grid goes with it.
+template <class B>
+concept MovingPlane = MirrorPlane<B> && requires(const B& b) {
+  { b.velocity(0.0) } -> std::convertible_to<double>;
+};
+
 /// B::axis, B::from, B::to: what leaves at `to` comes in at `from`, m.
 template <class B>
 concept PeriodicPair = HasRole<B, role::Boundary> && requires(const B& b) {

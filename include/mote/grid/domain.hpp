@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <mote/boundary/concept.hpp>
+#include <mote/core/time_function.hpp>
 
 namespace mote::grid {
 
@@ -34,6 +35,11 @@ class Domain {
   struct Periodic {
     std::int32_t from, count;  ///< first node, nodes per period
   };
+  /// A plane that moves, and the grid with it.
+  struct Mover {
+    Side side;
+    TimeFunction velocity;  ///< m/s
+  };
 
   template <class Boundaries>
   Domain(double spacing, const Vec<double, D>& origin, const Boundaries& boundaries)
@@ -47,11 +53,16 @@ class Domain {
         require(planes_[a][0]->node < planes_[a][1]->node, "the planes of axis ", detail::axis_name(a),
                 " leave no room between them");
     }
+    if (mover_) check_mover();
   }
 
   const std::optional<Periodic>& periodic(int axis) const { return periodic_[axis]; }
   /// The plane at the lower (0) or upper (1) end of an axis.
   const std::optional<Plane<D>>& plane(int axis, int end) const { return planes_[axis][end]; }
+
+  const std::optional<Mover>& mover() const { return mover_; }
+  /// The grid has moved along an axis, and the planes with it. \param origin new place of node 0, m
+  void move(int axis, double origin) { origin_[axis] = origin; }
 
   /// The node on which a node falls when periods are taken out.
   std::int32_t wrapped(int axis, std::int32_t node) const {
@@ -104,6 +115,22 @@ class Domain {
     require(!plane, "side ", detail::side_name(b.side), " has two boundaries; it takes one");
     plane = Plane<D>{node(b.side.axis, b.at, "the plane " + detail::side_name(b.side)), {}, B::body_beyond, part};
     for (int c = 0; c < D; ++c) plane->odd[std::size_t(c)] = B::odd(c, b.side.axis);
+    if constexpr (MovingPlane<B>) {
+      require(!mover_, "the boundaries have two pistons; the grid follows one");
+      mover_ = Mover{b.side, b.velocity};
+    }
+  }
+
+  /// The grid follows one plane, so that others must not mind.
+  void check_mover() const {
+    const auto [axis, upper] = mover_->side;
+    require(!planes_[axis][upper ? 0 : 1], "axis ", detail::axis_name(axis),
+            " has a piston and another plane; the grid goes with the piston, so the other end must be free");
+    for (int a = 0; a < D; ++a)
+      for (const auto& plane : planes_[a])
+        require(a == axis || !plane || !plane->odd[std::size_t(axis)], "a plane of axis ", detail::axis_name(a),
+                " holds the body that the piston of axis ", detail::axis_name(axis),
+                " moves along it; take boundary::Symmetry beside a piston");
   }
 
   static void check_axis(int a) {
@@ -124,6 +151,7 @@ class Domain {
   Vec<double, D> origin_;
   std::array<std::optional<Periodic>, std::size_t(D)> periodic_;
   std::array<std::array<std::optional<Plane<D>>, 2>, D> planes_;
+  std::optional<Mover> mover_;
 };
 
 }  // namespace mote::grid

@@ -18,21 +18,22 @@ struct Ledger {
   double load_work = 0;           ///< done by loads since the solver began, on the grid, J
   double work = 0;                ///< done by all forces since the solver began, on the grid, J
   double wall_loss = 0;           ///< kinetic energy taken since then by planes that incoming momentum disobeys, J
+  double piston_work = 0;         ///< done by pistons since the solver began, J
   Vec<double, 3> wall_impulse{};  ///< that all planes gave the body since then, N s
 
   Ledger& operator+=(const Ledger& b) {
     mass += b.mass, momentum += b.momentum, kinetic += b.kinetic, elastic += b.elastic, plastic += b.plastic;
     viscous += b.viscous, load_work += b.load_work, work += b.work, wall_loss += b.wall_loss;
-    wall_impulse += b.wall_impulse;
+    piston_work += b.piston_work, wall_impulse += b.wall_impulse;
     return *this;
   }
   Ledger& operator*=(double s) {
     mass *= s, momentum *= s, kinetic *= s, elastic *= s, plastic *= s;
-    viscous *= s, load_work *= s, work *= s, wall_loss *= s, wall_impulse *= s;
+    viscous *= s, load_work *= s, work *= s, wall_loss *= s, piston_work *= s, wall_impulse *= s;
     return *this;
   }
-  /// Of all forms, less what loads put in, J: constant in an exact computation between rigid boundaries.
-  double energy() const { return kinetic + elastic + plastic + viscous - load_work; }
+  /// Of all forms, less what loads and pistons put in, J: constant in an exact computation.
+  double energy() const { return kinetic + elastic + plastic + viscous - load_work - piston_work; }
 };
 
 /// What the transfers and the wall's start have taken since `start`, J: K(start) - K(now) + work of the forces.
@@ -99,6 +100,7 @@ Ledger whole_ledger(const Solver& solver, const LedgerSums<Solver::dimension>& s
   all.viscous = total(sums.viscous);
   const auto& grid = solver.ledger();
   all.load_work = grid.load_work, all.work = grid.work, all.wall_loss = grid.wall_loss;
+  all.piston_work = grid.piston_work;
   for (int a = 0; a < Solver::dimension; ++a) {
     all.momentum[a] = total(sums.momentum[a]);
     for (const auto& impulse : grid.impulse) all.wall_impulse[a] += impulse[a];

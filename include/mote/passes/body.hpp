@@ -15,15 +15,15 @@
 
 namespace mote::passes {
 
-/// Particles of one material.
-template <class MaterialType, class T, int D, class Transfer, class Shape>
+/// Particles of one material. \tparam More fields that other parts of the solver declare
+template <class MaterialType, class T, int D, class Transfer, class Shape, class More = fields<>>
 struct Body {
   using Material = MaterialType;
   using number = T;
   static constexpr int dimension = D;
   /// Exactly what the parts declare; the Id names a particle in messages and frames.
   using list = union_of<fields<field::Position, field::Velocity, field::Mass, field::Id>, particle_fields_of<Transfer>,
-                        particle_fields_of<Shape>, particle_fields_of<Material>>;
+                        particle_fields_of<Shape>, particle_fields_of<Material>, More>;
 
   Material material;
   Particles<T, D, list> particles;

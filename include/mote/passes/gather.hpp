@@ -271,15 +271,18 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
   return report;
 }
 
-/// Range of lowest nodes and the report of a tile as it stands, after a sort or when columns were written from outside.
+/// Range of lowest nodes and the report of a tile as it stands, after a sort, when columns were written from outside,
+/// or when the grid has moved. \param frame_velocity that of the grid, m/s; speeds are reported beside it
 template <class Shape, class B, class T, int D>
-[[gnu::flatten, gnu::noinline]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame) {
+[[gnu::flatten, gnu::noinline]] TileReport survey_tile(const B& body, Tile<D>& tile, const Frame<T, D>& frame,
+                                                       const Vec<T, D>& frame_velocity) {
   const TileFrame<T, D> in_tile = frame.of_block(tile.block);
   Reporter<T> reporter;
   Range<D> range;
   for_each_pack(tile, [&](std::size_t first, int n) {
     Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, particle_fields_of<typename B::Material>>> p;
     body.particles.load(first, n, p);
+    for (int a = 0; a < D; ++a) get<field::Velocity>(p)[a] -= Pack<T>(frame_velocity[a]);
     reporter.include(body.material, p);
     range.template include<Shape>(in_tile.in_cells(get<field::Position>(p)));
   });

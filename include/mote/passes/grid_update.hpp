@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include <mote/load/concept.hpp>
 #include <mote/passes/images.hpp>
 #include <mote/passes/scatter.hpp>
 
@@ -16,10 +17,12 @@ struct GridLedger {
   double work = 0;       ///< by internal forces and loads, J: what the kinetic energy of the constrained grid gains
   double load_work = 0;  ///< by loads alone, J
   double wall_loss = 0;  ///< kinetic energy taken at once by planes that the incoming momentum does not obey, J
+  double piston_work = 0;  ///< by planes that move, J
   std::array<Vec<double, D>, 2 * D> impulse{};  ///< that boundary parts gave the body, N s, by number of the part
 
   GridLedger& operator+=(const GridLedger& b) {
     work += b.work, load_work += b.load_work, wall_loss += b.wall_loss;
+    piston_work += b.piston_work;
     for (std::size_t i = 0; i < impulse.size(); ++i) impulse[i] += b.impulse[i];
     return *this;
   }
@@ -54,12 +57,15 @@ T solid(T mass) {
   return mass >= std::numeric_limits<T>::min() ? mass : T(0);
 }
 
-/// dt times the acceleration by all loads at a node.
+/// dt times the acceleration by all loads on the volume at a node.
 template <class T, int D, class Loads>
 Vec<T, D> load_gain(const IVec<D>& node, const Frame<T, D>& frame, const Loads& loads, double time, double dt) {
   Vec<double, D> x{}, b{};
   for (int a = 0; a < D; ++a) x[a] = frame.node_position(a, node[a]);
-  std::apply([&](const auto&... load) { ((b += load.acceleration(x, time)), ...); }, loads);
+  const auto add = [&](const auto& load) {
+    if constexpr (LoadIn<std::remove_cvref_t<decltype(load)>, D>) b += load.acceleration(x, time);
+  };
+  std::apply([&](const auto&... load) { (add(load), ...); }, loads);
   return cast<T>(b * dt);
 }
 
@@ -88,7 +94,7 @@ template <class T, int D, class Loads>
       old[a] = over_m * record[2 * a];
       gain[a] = T(dt) * (over_m * record[2 * a + 1]);
     }
-    if constexpr (std::tuple_size_v < Loads >> 0) {
+    if constexpr (any_body_load<Loads, D>) {
       if (m > T(0)) {
         const Vec<T, D> pushed = load_gain<T, D>(blocks.coordinates(node), frame, loads, time, dt);
         ledger.load_work += double(m * dot(pushed, old + T(0.5) * (gain + pushed)));
@@ -107,12 +113,18 @@ template <class T, int D, class Loads>
 /// A virtual mirrored body shares its momentum with the real one, node by node: v = (p + S p')/(m + m'), which is the
 /// Galerkin reduction to velocity fields that the mirror maps on themselves. The velocity before the forces is that of
 /// the whole body at a symmetry plane, and as the particles brought it at a wall, so that FLIP feels the wall.
+///
+/// Where planes move, all of this is meant beside their velocity u: v, old and losses here are. The kinetic energy of
+/// someone at rest differs from that by u p + m u^2/2, so that a change of momentum dp brings u dp more.
 /// \param kept the part of its own velocity that a particle keeps (Transfer)
 template <class T, int D>
 [[gnu::noinline]] GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks,
-                                               const grid::Domain<D>& domain, int support, double kept) {
+                                               const grid::Domain<D>& domain, int support, double kept,
+                                               const Vec<double, D>& frame_velocity) {
   GridLedger<D> ledger;
   Images<D> images;
+  images.frame_velocity = frame_velocity;
+  const Vec<T, D> u = cast<T>(frame_velocity);
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
@@ -122,17 +134,20 @@ template <class T, int D>
     ledger.work += energy(mass, v) - energy(mass, old);
     ledger.wall_loss -= energy(mass, old);
     Vec<T, D> whole[64];
-    for (int k = 0; k < images.count; ++k) whole[k] = images.symmetric_mean(blocks, blocks.previous, k);
+    for (int k = 0; k < images.count; ++k) whole[k] = u + images.symmetric_mean(blocks, blocks.previous, k);
     for (int k = 0; k < images.count; ++k) {
       const auto& image = images.image[std::size_t(k)];
       const T m = blocks.mass[image.node];
-      const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), image.node), held = images.reflect(v, image),
+      const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), image.node), held = u + images.reflect(v, image),
                       before = node_vector<T, D>(blocks.previous.data(), image.node);
       const Vec<T, D> push = m * (held - raw - T(kept) * (whole[k] - before));
       for (std::size_t c = 0; c < std::size_t(D); ++c)
-        if (images.held[c] >= 0) ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
-      ledger.wall_loss += energy(m, whole[k]);
-      ledger.work -= energy(m, raw) - energy(m, before);
+        if (images.held[c] >= 0) {
+          ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
+          ledger.piston_work += double(push[int(c)]) * frame_velocity[int(c)];
+        }
+      ledger.wall_loss += energy(m, whole[k] - u);
+      ledger.work -= energy(m, raw) - energy(m, before) - double(m * dot(u, held - whole[k]));
       set_node_vector(blocks.velocity.data(), image.node, held);
       set_node_vector(blocks.previous.data(), image.node, whole[k]);
     }
@@ -177,9 +192,10 @@ template <class T, int D>
 template <class T, int D>
 [[gnu::noinline]] GridLedger<D> hold_field(std::uint32_t block, AlignedVector<T>& field,
                                            const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                                           int support) {
+                                           int support, const Vec<double, D>& frame_velocity) {
   GridLedger<D> ledger;
   Images<D> images;
+  images.frame_velocity = frame_velocity;
   for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
     const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
     if (!images.find(node, domain, blocks, support)) continue;
@@ -187,7 +203,7 @@ template <class T, int D>
     const Vec<T, D> v = images.mean(blocks, field, mass);
     for (int k = 0; k < images.count; ++k) {
       const auto& image = images.image[std::size_t(k)];
-      const Vec<T, D> held = images.reflect(v, image),
+      const Vec<T, D> held = cast<T>(frame_velocity) + images.reflect(v, image),
                       push = blocks.mass[image.node] * (held - node_vector<T, D>(field.data(), image.node));
       for (std::size_t c = 0; c < std::size_t(D); ++c)
         if (images.held[c] >= 0) ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);

@@ -36,10 +36,17 @@ struct Images {
   std::array<int, D> held;   ///< per component: the boundary part that flips it in some image or on its plane, or -1
   std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
   std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
+  Vec<double, D> frame_velocity{};  ///< velocity of the planes, m/s; what they carry and demand is meant beside it
 
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>
   bool find(std::size_t number_of_node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks, int support) {
+    return find(number_of_node, domain, blocks, blocks.mass, support);
+  }
+  /// The same where another node field than the mass says which images count.
+  template <class T>
+  bool find(std::size_t number_of_node, const grid::Domain<D>& domain, const grid::Blocks<T, D>& blocks,
+            const AlignedVector<T>& mass, int support) {
     const IVec<D> node = blocks.coordinates(number_of_node);
     if (!concern(node, domain, support)) return false;
     count = 1;
@@ -54,7 +61,7 @@ struct Images {
         if (const auto& plane = domain.plane(a, end); plane && depth(*plane, a, end, node) <= ghosts(support))
           mirror(*plane, a, end, at);
     }
-    drop_massless(at, blocks);
+    drop_massless(at, blocks, mass);
     return true;
   }
 
@@ -64,7 +71,8 @@ struct Images {
     return v;
   }
 
-  /// Mass-weighted mean of a node field over the images: the field's projection on what the planes allow.
+  /// Mass-weighted mean of a velocity over the images, beside that of the planes: the field's projection on what the
+  /// planes allow.
   template <class T>
   Vec<T, D> mean(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass) const {
     return mean_over(blocks, field, mass, zero, [](const Image&) { return true; });
@@ -127,11 +135,11 @@ struct Images {
   /// Leaves the node itself and the images that particles reach. Not before all are there: an image with mass may be
   /// that of one without.
   template <class T>
-  void drop_massless(const Places& at, const grid::Blocks<T, D>& blocks) {
+  void drop_massless(const Places& at, const grid::Blocks<T, D>& blocks, const AlignedVector<T>& mass) {
     int left = 1;
     for (int i = 1; i < count; ++i) {
       const std::size_t number = blocks.find(at[std::size_t(i)]);
-      if (number == blocks.none || blocks.mass[number] == T(0)) continue;
+      if (number == blocks.none || mass[number] == T(0)) continue;
       image[std::size_t(left)] = image[std::size_t(i)];
       image[std::size_t(left++)].node = number;
     }
@@ -142,12 +150,13 @@ struct Images {
   Vec<T, D> mean_over(const grid::Blocks<T, D>& blocks, const AlignedVector<T>& field, T& mass,
                       const std::array<bool, D>& vanishes, const Counts& counts) const {
     Vec<T, D> momentum{};
+    const Vec<T, D> frame = cast<T>(frame_velocity);
     mass = T(0);
     for (int i = 0; i < count; ++i) {
       const Image& im = image[std::size_t(i)];
       if (!counts(im)) continue;
       mass += blocks.mass[im.node];
-      momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node), im);
+      momentum += blocks.mass[im.node] * reflect(node_vector<T, D>(field.data(), im.node) - frame, im);
     }
     for (int c = 0; c < D; ++c) momentum[c] = vanishes[std::size_t(c)] || !(mass > T(0)) ? T(0) : momentum[c] / mass;
     return momentum;

@@ -7,12 +7,14 @@
 #include <tuple>
 #include <vector>
 
+#include <mote/passes/conduction.hpp>
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
 #include <mote/passes/messages.hpp>
 #include <mote/passes/sharpen.hpp>
 #include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
+#include <mote/passes/traction.hpp>
 
 namespace mote::passes {
 
@@ -22,11 +24,18 @@ class Phases;
 
 template <class Shape, class Transfer, class T, int D, class Execution, class Sleep, class Loads, class... Materials>
 class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials...>> {
-  using Bodies = std::tuple<Body<Materials, T, D, Transfer, Shape>...>;
+  template <class M>
+  using BodyOf = Body<M, T, D, Transfer, Shape, surface_fields<Loads, D>>;
+  using Bodies = std::tuple<BodyOf<Materials>...>;
   static_assert(
       can_be_told_apart<Materials...>,
       "mote: two materials of one solver have the same C++ type and no operator==, so fill() cannot tell them "
       "apart; add a defaulted operator== to their parts");
+
+  static constexpr bool loads_surfaces = surface_fields<Loads, D>::size > 0;
+  static constexpr bool conducts = (Conducts<Materials> || ...);
+  static_assert(!(conducts && Sleep::sleeps),
+                "mote: heat flows in material at rest too; take sleep::Never with heat::Conducting");
 
   Frame<T, D> frame_;
   Transfer transfer_;
@@ -36,6 +45,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   Bodies bodies_;
   Tiling<D> tiling_;
   [[no_unique_address]] Sleeper<Sleep, T, D> sleeper_;
+  [[no_unique_address]] Conduction<T, D, conducts> conduction_;
+  [[no_unique_address]] Surface<Loads, D> surface_;
   Linker<T, D> linker_;
   grid::Blocks<T, D> blocks_;
   AlignedVector<T> accumulators_;
@@ -45,6 +56,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   bool remaps_;
   double disorder_ = 0;  ///< windows since the last sort beyond what the sorted particles took
   double time_ = 0, dt_ = 0;
+  Vec<double, D> frame_velocity_{};  ///< velocity of the grid in this step, m/s
 
  public:
   template <class Grid, class Boundaries>
@@ -61,6 +73,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
             },
             materials)),
         sleeper_(sleep),
+        conduction_(grid.spacing, Shape::support, materials),
         remaps_(remaps) {
     require_distinct(materials);
   }
@@ -69,12 +82,16 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   void begin(double time, double dt) {
     time_ = time;
     dt_ = dt;
+    frame_velocity_ = grid_velocity(time + 0.5 * dt);
+    if constexpr (conducts)
+      if (const double due = conduction_.due(dt); due > 0) conduct(due);
   }
   /// It is done.
   void end() {
     for (std::uint32_t t = 0; t < reports_.size(); ++t)
       if (awake(t)) disorder_ += double(reports_[t].windows) - double(reports_[t].fresh);
     if constexpr (Sleep::sleeps) sleeper_.pass(dt_);
+    if (domain_.mover()) follow();
   }
 
   // ---- the phases
@@ -92,7 +109,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       if (idle(b)) return blocks_.empty(b);
       divide_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
     });
-    hold(blocks_.velocity);
+    hold(blocks_.velocity, frame_velocity_);
     if constexpr (sharpens<Transfer> == Sharpens::grid) sharpen(blocks_.velocity, blocks_.velocity);
   }
 
@@ -114,10 +131,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
                                            frame_, loads_, time_, dt_);
     });
+    if constexpr (loads_surfaces) load_surfaces();
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
       if (idle(tiling_.plane_blocks[i])) return;
       block_ledgers_[blocks_.index.size() + i] =
-          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept());
+          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept(), frame_velocity_);
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
     if constexpr (sharpens<Transfer> == Sharpens::grid) ledger_ += sharpen(blocks_.velocity, blocks_.velocity);
@@ -139,7 +157,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// The velocity field of the remapped momentum, within the boundaries.
   void constrain_remapped() {
     for_each_block([&](std::uint32_t b) { remap_block(b, tiling_, accumulators_.data(), Shape::support, blocks_); });
-    hold(blocks_.remapped);
+    hold(blocks_.remapped, frame_velocity_);
     if constexpr (sharpens<Transfer> == Sharpens::grid) sharpen(blocks_.remapped, blocks_.remapped);
   }
 
@@ -195,11 +213,13 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
     linker_(tiling_, blocks_, domain_, Shape::support, Shape::first);
     blocks_.allocate(remaps_, sharpens<Transfer> == Sharpens::incoming, sharpens<Transfer> != Sharpens::nothing);
+    if constexpr (conducts) conduction_.allocate(blocks_.nodes());
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
     reports_.resize(tiling_.tiles.size());
     if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
+    const auto frame_velocity = cast<T>(grid_velocity(time_ + dt_));
     for_each_tile([&](auto& body, std::uint32_t t) {
-      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_);
+      reports_[t] = survey_tile<Shape>(body, tiling_.tiles[t], frame_, frame_velocity);
       look(body, t);
     });
     const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;
@@ -210,6 +230,10 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       throw NumericalError(
           "mote: the number type does not resolve positions to a cell; put the grid's origin nearer to the particles, "
           "or take double");
+    if constexpr (loads_surfaces) {
+      surface_.clear(blocks_.nodes());
+      for_each_body([&](const auto& body) { surface_.find(body, loads_); });
+    }
     check(step);
   }
 
@@ -231,6 +255,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   // ---- what others may look at
 
   const Frame<T, D>& frame() const { return frame_; }
+  const Loads& loads() const { return loads_; }
   const grid::Domain<D>& domain() const { return domain_; }
   const grid::Blocks<T, D>& blocks() const { return blocks_; }
   const GridLedger<D>& ledger() const { return ledger_; }
@@ -243,11 +268,11 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// The body whose material has this type and these numbers. Throws InputError if there is none.
   template <class M>
   auto& body_of(const M& material, const char* caller) {
-    return find_body<Body<M, T, D, Transfer, Shape>>(bodies_, material, caller);
+    return find_body<BodyOf<M>>(bodies_, material, caller);
   }
   template <class M>
   const auto& body_of(const M& material, const char* caller) const {
-    return find_body<const Body<M, T, D, Transfer, Shape>>(bodies_, material, caller);
+    return find_body<const BodyOf<M>>(bodies_, material, caller);
   }
   template <int I>
   auto& body() {
@@ -286,6 +311,45 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
   }
 
+  /// Forces on the particles' surfaces.
+  void load_surfaces() {
+    std::size_t number = 0;
+    for_each_body([&](const auto& body) {
+      surface_.template add<Shape>(number++, body, loads_, domain_, blocks_, frame_, time_);
+    });
+    ledger_ += surface_.push(blocks_, frame_, loads_, time_, dt_);
+  }
+
+  /// The grid goes with a plane that moves.
+  Vec<double, D> grid_velocity(double time) const {
+    Vec<double, D> v{};
+    if (const auto& mover = domain_.mover()) {
+      v[mover->side.axis] = mover->velocity(time);
+      if (!std::isfinite(v[mover->side.axis]))
+        throw NumericalError(text("mote: the piston's velocity is ", v[mover->side.axis], " m/s at time ", time, " s"));
+    }
+    return v;
+  }
+  /// Moves the grid to where its plane is after the step; the particles' places on it change.
+  void follow() {
+    const int axis = domain_.mover()->side.axis;
+    frame_.origin[axis] += frame_velocity_[axis] * dt_;
+    domain_.move(axis, frame_.origin[axis]);
+    const auto frame_velocity = cast<T>(grid_velocity(time_ + dt_));
+    for_each_tile([&](auto& body, std::uint32_t t) {
+      const TileReport r = survey_tile<Shape>(body, tiling_.tiles[t], frame_, frame_velocity);
+      reports_[t].max_speed = r.max_speed, reports_[t].failed = r.failed;
+    });
+  }
+
+  /// Temperatures of the particles, by conduction for the time `due`.
+  void conduct(double due) {
+    const auto all = [&](const auto& f) {
+      for_each_tile([&](auto& body, std::uint32_t t) { f(body, tiling_.tiles[t]); });
+    };
+    conduction_.template conduct<Shape>(due, all, executor_, tiling_, blocks_, domain_, frame_, accumulators_.data());
+  }
+
   bool awake(std::uint32_t tile) const {
     if constexpr (Sleep::sleeps) return !sleeper_.asleep(tile);
     return true;
@@ -310,12 +374,13 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
   }
 
-  /// Holds a node field to the planes. \return what impulses that takes
-  GridLedger<D> hold(AlignedVector<T>& field) {
+  /// Holds a node field to the planes, which move with frame_velocity (differences of velocities: with none). \return what impulses that takes
+  GridLedger<D> hold(AlignedVector<T>& field, const Vec<double, D>& frame_velocity) {
     block_ledgers_.assign(tiling_.plane_blocks.size(), {});
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
       if (!idle(tiling_.plane_blocks[i]))
-        block_ledgers_[i] = hold_field(tiling_.plane_blocks[i], field, blocks_, domain_, Shape::support);
+        block_ledgers_[i] =
+            hold_field(tiling_.plane_blocks[i], field, blocks_, domain_, Shape::support, frame_velocity);
     });
     GridLedger<D> given;
     for (const auto& l : block_ledgers_) given += l;
@@ -325,7 +390,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   /// Adds to a node field what its like loses on the way to the particles and back. \return impulses of the planes
   GridLedger<D> sharpen(const AlignedVector<T>& v, AlignedVector<T>& sharp) {
     return passes::sharpen<Shape>([&](const auto& f) { for_each_awake_tile(f); },
-                                  [&](const auto& f) { for_each_block(f); }, [&](auto& field) { return hold(field); },
+                                  [&](const auto& f) { for_each_block(f); },
+                                  [&](auto& residual) { return hold(residual, {}); },
                                   transfer_.order, v, sharp, tiling_, blocks_, frame_, accumulators_.data());
   }
 

@@ -40,10 +40,10 @@ template <class Shape, class B, class T, int D>
   SumColumns<value, T, D> sums;
   for_each_batch(tile, [&](std::size_t begin, int count) {
     at.clear();
-    Values<Pack<T>, D, fields<field::Position, field::Mass>> p;
+    Values<Pack<T>, D, union_of<fields<field::Position, field::Mass>, particle_fields_of<Shape>>> p;
     for (int i = 0; i < count; i += lanes) {
       body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
-      at.append(in_tile.in_cells(get<field::Position>(p)), box);
+      at.append(in_tile.in_cells(get<field::Position>(p)), box, half_sizes<Shape>(p, in_tile.per_spacing));
     }
     at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits,
                            bool some) __attribute__((always_inline)) {
@@ -61,7 +61,7 @@ template <class Shape, class B, class T, int D>
       Momentum<T, D> brought;
       for (int c = 0; c < D; ++c) brought.value[c] = get<field::Mass>(p) * sums.value(i, c);
       scatter_pack<Shape, AxisWeights::none>(returned, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value,
-                                             brought.axis);
+                                             brought.axis, half_sizes<Shape>(p, in_tile.per_spacing));
     }
   });
 }
