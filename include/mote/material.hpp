@@ -173,8 +173,8 @@ class Material {
     return c2;
   }
 
-  /// Recoverable specific energy, J/kg: the work along the reference curve and the elastic shear |s|^2/(4 G rho), or what
-  /// the strength says for the latter.
+  /// Recoverable specific energy, J/kg: the work along the reference curve and the elastic shear |s|^2/(4 G rho), or
+  /// what the strength says for the latter.
   template <class V>
   auto elastic_energy(const V& values) const {
     using T = typename V::number;
