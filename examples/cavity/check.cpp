@@ -70,8 +70,8 @@ void check_mesh(Options& o) {
 }
 
 void check_method(const Options& o) {
-  demand(!o.flip_blend || o.transfer == Transfer::flip, "--flip-blend does not go with --transfer ",
-         to_string(o.transfer), "; it needs --transfer flip");
+  demand(!o.flip_blend || o.transfer == Transfer::flip || o.transfer == Transfer::aflip,
+         "--flip-blend does not go with --transfer ", to_string(o.transfer), "; it needs --transfer flip or aflip");
   demand(!o.flip_blend || (*o.flip_blend >= 0 && *o.flip_blend <= 1), "--flip-blend is ", o.flip_blend.value_or(0),
          "; it must be from 0 to 1");
   demand(!o.order || o.transfer == Transfer::xpic || o.transfer == Transfer::fmpm,

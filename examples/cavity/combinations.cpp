@@ -24,28 +24,30 @@ const Combination* find(const Options& o, const std::array<Combination, N>&... t
 }  // namespace
 
 const Combination& find_combination(const Options& o) {
-  const auto* found = find(o, linear_flip, linear_apic, gimp_flip, quadratic_flip, quadratic_apic, cubic_flip,
-                           cubic_apic, linear_xpic, quadratic_xpic, quadratic_fmpm, usf, linear_flip_float,
-                           quadratic_apic_float, cubic_apic_float, conducting);
+  const auto* found =
+      find(o, linear_flip, linear_apic, linear_aflip, gimp_flip, quadratic_flip, quadratic_apic, quadratic_aflip,
+           cubic_flip, cubic_apic, cubic_aflip, linear_xpic, quadratic_xpic, quadratic_fmpm, usf, linear_flip_float,
+           quadratic_apic_float, quadratic_aflip_float, cubic_aflip_float, conducting);
   if (found) return *found;
   if (o.conductivity > 0)
-    throw BadOption(mote::text("--conductivity ", o.conductivity, " is not available with --shape ", to_string(o.shape),
-                               " --transfer ", to_string(o.transfer), " --update ", to_string(o.update),
-                               " --precision ", to_string(o.precision),
-                               "; it is with quadratic apic usl, quadratic flip usl and linear flip musl in double"));
+    throw BadOption(mote::text(
+        "--conductivity ", o.conductivity, " is not available with --shape ", to_string(o.shape), " --transfer ",
+        to_string(o.transfer), " --update ", to_string(o.update), " --precision ", to_string(o.precision),
+        "; it is with quadratic aflip usl, quadratic apic usl, quadratic flip usl and linear flip musl in double"));
   if ((o.shape == Shape::gimp || o.shape == Shape::cpgimp) && o.transfer != Transfer::flip)
     throw BadOption(mote::text("--transfer ", to_string(o.transfer), " is not available with --shape ",
                                to_string(o.shape), "; it needs --transfer flip"));
   if (o.precision == Precision::double_)
-    throw BadOption(mote::text("--transfer ", to_string(o.transfer), " is not available with --shape ",
-                               to_string(o.shape), " --update ", to_string(o.update),
-                               "; flip and apic are with all shapes and usl or musl; else there are linear flip usf, "
-                               "quadratic flip usf, quadratic apic usf, linear xpic musl, quadratic xpic usl, "
-                               "quadratic xpic usf and quadratic fmpm usl"));
-  throw BadOption(mote::text("--precision ", to_string(o.precision), " is not available with --shape ",
-                             to_string(o.shape), " --transfer ", to_string(o.transfer), " --update ",
-                             to_string(o.update),
-                             "; it is with quadratic apic usl, cubic apic usl and linear flip musl"));
+    throw BadOption(
+        mote::text("--transfer ", to_string(o.transfer), " is not available with --shape ", to_string(o.shape),
+                   " --update ", to_string(o.update),
+                   "; flip, apic and aflip are with all shapes and usl or musl; else there are linear flip usf, "
+                   "quadratic flip usf, quadratic apic usf, linear xpic musl, quadratic xpic usl, "
+                   "quadratic xpic usf and quadratic fmpm usl"));
+  throw BadOption(
+      mote::text("--precision ", to_string(o.precision), " is not available with --shape ", to_string(o.shape),
+                 " --transfer ", to_string(o.transfer), " --update ", to_string(o.update),
+                 "; it is with quadratic aflip usl, quadratic apic usl, cubic aflip usl and linear flip musl"));
 }
 
 }  // namespace cavity

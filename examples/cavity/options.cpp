@@ -46,9 +46,12 @@ const Words<Shape> shapes{"shape",
                            {"cpgimp", Shape::cpgimp},
                            {"quadratic", Shape::quadratic},
                            {"cubic", Shape::cubic}}};
-const Words<Transfer> transfers{
-    "transfer",
-    {{"flip", Transfer::flip}, {"apic", Transfer::apic}, {"xpic", Transfer::xpic}, {"fmpm", Transfer::fmpm}}};
+const Words<Transfer> transfers{"transfer",
+                                {{"flip", Transfer::flip},
+                                 {"apic", Transfer::apic},
+                                 {"aflip", Transfer::aflip},
+                                 {"xpic", Transfer::xpic},
+                                 {"fmpm", Transfer::fmpm}}};
 const Words<Update> updates{"update", {{"usl", Update::usl}, {"musl", Update::musl}, {"usf", Update::usf}}};
 const Words<Precision> precisions{"precision", {{"double", Precision::double_}, {"float", Precision::single_}}};
 const Words<Domain> domains{"domain", {{"full", Domain::full}, {"quarter", Domain::quarter}}};
@@ -102,8 +105,8 @@ void add_method(CLI::App& app, Options& o) {
   app.add_option("--jitter", o.jitter, "random displacement in particle distances, 0 to 0.5 [0]");
   app.add_option("--seed", o.seed, "of the jitter [0]");
   add_words(app, shapes, o.shape, "shape functions [quadratic]");
-  add_words(app, transfers, o.transfer, "between particles and grid [apic]");
-  app.add_option("--flip-blend", o.flip_blend, "1: FLIP, 0: PIC [1]");
+  add_words(app, transfers, o.transfer, "between particles and grid [aflip]");
+  app.add_option("--flip-blend", o.flip_blend, "of flip, 1: FLIP, 0: PIC [1]; of aflip, 1: FLIP, 0: APIC [0.95]");
   app.add_option("--order", o.order, "of xpic and fmpm, 1 to 40; 1: PIC [xpic 5, fmpm 2]");
   add_words(app, updates, o.update, "when stresses are updated [usl]");
   app.add_option("--courant", o.courant, "time step over cell crossing time, up to 1 [0.4]");

@@ -11,7 +11,7 @@
 namespace cavity {
 
 enum class Shape { linear, gimp, cpgimp, quadratic, cubic };
-enum class Transfer { flip, apic, xpic, fmpm };
+enum class Transfer { flip, apic, aflip, xpic, fmpm };
 enum class Update { usl, musl, usf };
 enum class Precision { single_, double_ };
 enum class Domain { full, quarter };
@@ -33,8 +33,8 @@ struct Options {
   double jitter = 0;
   std::int64_t seed = 0;
   Shape shape = Shape::quadratic;
-  Transfer transfer = Transfer::apic;
-  std::optional<double> flip_blend;  ///< 1 unless given
+  Transfer transfer = Transfer::aflip;
+  std::optional<double> flip_blend;  ///< the transfer's own unless given
   std::optional<int> order;          ///< of XPIC and FMPM; the transfers' own unless given
   Update update = Update::usl;
   double courant = 0.4;

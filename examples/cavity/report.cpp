@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <iomanip>
 #include <mote/core/version.hpp>
+#include <mote/transfer/affine_flip.hpp>
+#include <mote/transfer/flip.hpp>
 #include <mote/transfer/fmpm.hpp>
 #include <mote/transfer/xpic.hpp>
 #include <nlohmann/json.hpp>
@@ -25,6 +27,13 @@ json order(const Options& o) {
   return nullptr;
 }
 
+/// The blend that runs, given or not; null for transfers without one.
+json blend(const Options& o) {
+  if (o.transfer == Transfer::flip) return o.flip_blend.value_or(mote::transfer::Flip{}.blend);
+  if (o.transfer == Transfer::aflip) return o.flip_blend.value_or(mote::transfer::AffineFlip{}.blend);
+  return nullptr;
+}
+
 json configuration(const Options& o) {
   return {{"preset", o.preset},
           {"speed_m_s", o.speed},
@@ -40,7 +49,7 @@ json configuration(const Options& o) {
           {"seed", o.seed},
           {"shape", to_string(o.shape)},
           {"transfer", to_string(o.transfer)},
-          {"flip_blend", o.transfer == Transfer::flip ? json(o.flip_blend.value_or(1)) : json(nullptr)},
+          {"flip_blend", blend(o)},
           {"order", order(o)},
           {"update", to_string(o.update)},
           {"courant", o.courant},

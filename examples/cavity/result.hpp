@@ -43,13 +43,14 @@ struct Combination {
 const Combination& find_combination(const Options& options);
 
 // Each array is compiled in a file of its own name: all updates of a shape function and a transfer.
-extern const std::array<Combination, 2> linear_flip, linear_apic, quadratic_flip, quadratic_apic, cubic_flip,
-    cubic_apic;
+extern const std::array<Combination, 2> linear_flip, linear_apic, quadratic_flip, quadratic_apic, linear_aflip,
+    quadratic_aflip, cubic_flip, cubic_apic, cubic_aflip;
 extern const std::array<Combination, 4> gimp_flip;
 extern const std::array<Combination, 1> linear_xpic, quadratic_fmpm;
 extern const std::array<Combination, 2> quadratic_xpic;
 extern const std::array<Combination, 3> usf;  // with FLIP and APIC
-extern const std::array<Combination, 1> linear_flip_float, quadratic_apic_float, cubic_apic_float;
-extern const std::array<Combination, 3> conducting;
+extern const std::array<Combination, 1> linear_flip_float, quadratic_apic_float, quadratic_aflip_float,
+    cubic_aflip_float;
+extern const std::array<Combination, 4> conducting;
 
 }  // namespace cavity

@@ -35,7 +35,7 @@ auto aluminium(const Options& o) {
 template <class T>
 T make_transfer(const Options& o) {
   if constexpr (requires(T t) { t.blend; })
-    return T{.blend = o.flip_blend.value_or(1)};
+    return T{.blend = o.flip_blend.value_or(T{}.blend)};
   else if constexpr (requires(T t) { t.order; })
     return T{.order = o.order.value_or(T{}.order)};
   else

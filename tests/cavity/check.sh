@@ -36,8 +36,8 @@ bad_words() {
   refuses "--seed is -1; it must be >= 0" --seed -1
   refuses "--preset is 'best'; choose paper, accurate or quick" --preset best
   refuses "--shape is 'round'; choose linear, gimp, cpgimp, quadratic or cubic" --shape round
-  refuses "--transfer apic is not available with --shape gimp; it needs --transfer flip" --shape gimp
-  refuses "--transfer is 'pic'; choose flip, apic, xpic or fmpm" --transfer pic
+  refuses "--transfer aflip is not available with --shape gimp; it needs --transfer flip" --shape gimp
+  refuses "--transfer is 'pic'; choose flip, apic, aflip, xpic or fmpm" --transfer pic
   refuses "--update is 'usm'; choose usl, musl or usf" --update usm
   refuses "--sleep is 'deep'; choose on or off" --sleep deep
   refuses "--fill is 'sand'; choose lattice or fraction" --fill sand
@@ -81,13 +81,13 @@ bad_cavities_and_combinations() {
   refuses "touches its periodic image; it must be below 20" --radius 20 --centre-z 25
   refuses "--centre-z is 60 um, outside the body" --centre-z 60
   refuses "less than a cell" --radius 0.5
-  refuses "--flip-blend does not go with --transfer apic" --flip-blend 0.5
+  refuses "--flip-blend does not go with --transfer apic; it needs --transfer flip or aflip" --flip-blend 0.5 --transfer apic
   refuses "--flip-blend is 2; it must be from 0 to 1" --transfer flip --flip-blend 2
-  refuses "--order does not go with --transfer apic; it needs --transfer xpic or fmpm" --order 2
+  refuses "--order does not go with --transfer aflip; it needs --transfer xpic or fmpm" --order 2
   refuses "--order is 0; it must be from 1 to 40" --transfer xpic --order 0
-  refuses "--transfer xpic is not available with --shape cubic --update usl; flip and apic" --transfer xpic --shape cubic
-  refuses "--precision float is not available with --shape linear --transfer apic" --precision float --shape linear
-  refuses "it is with quadratic apic usl, cubic apic usl and linear flip musl" --precision float --shape cubic --update musl
+  refuses "--transfer xpic is not available with --shape cubic --update usl; flip, apic and aflip" --transfer xpic --shape cubic
+  refuses "--precision float is not available with --shape linear --transfer aflip" --precision float --shape linear
+  refuses "it is with quadratic aflip usl, quadratic apic usl, cubic aflip usl and linear flip musl" --precision float --shape cubic --update musl
 }
 
 bad_directories() {
@@ -125,7 +125,8 @@ runs() {
   good solid --radius 0
   for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl" \
     "gimp flip usl" "gimp flip musl" "cpgimp flip usl" "cpgimp flip musl" \
-    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl" "linear flip usf" "quadratic flip usf" \
+    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl" "linear aflip musl" \
+    "quadratic aflip usl" "quadratic aflip musl" "cubic aflip usl" "linear flip usf" "quadratic flip usf" \
     "quadratic apic usf" "linear xpic musl" "quadratic xpic usl" "quadratic xpic usf" "quadratic fmpm usl"; do
     read -r shape transfer update <<<"$scheme"
     good "$shape-$transfer-$update" --shape "$shape" --transfer "$transfer" --update "$update" --frames 0

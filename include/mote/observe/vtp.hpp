@@ -95,8 +95,9 @@ class ParticleFrame {
   void add(const Material& material, const Particles& particles, std::size_t first, fields<Tags...>) {
     using State = particle_fields_of<Material>;
     constexpr bool strong =
-        contains<State, field::DeviatoricStress> ||
-        requires(Values<typename Solver::number, D, State> values) { material.strength.stress(values); };
+        contains<State, field::DeviatoricStress> || requires(Values<typename Solver::number, D, State> values) {
+      material.strength.stress(values);
+    };
     std::vector<std::size_t> of_fields;
     const auto find = [&]<class Tag>(Tag) {
       if constexpr (!left_out<Tag>) of_fields.push_back(column(Tag::name, parities_of<Tag>()));

@@ -62,7 +62,8 @@ template <class Shape, class B, class T, int D>
     const TileFrame<T, D> in_tile = frame.of_block(tile.block);
     const T specific_heat = T(body.material.heat.specific_heat);
     for_each_pack(tile, [&](std::size_t first, int n) {
-      Values<Pack<T>, D, union_of<fields<field::Position, field::Mass, field::Temperature>, particle_fields_of<Shape>>> p;
+      Values<Pack<T>, D, union_of<fields<field::Position, field::Mass, field::Temperature>, particle_fields_of<Shape>>>
+          p;
       body.particles.load(first, n, p);
       Pack<T> value[width], axis[D][width];
       value[0] = specific_heat * get<field::Mass>(p);
@@ -121,8 +122,8 @@ template <class Shape, class B, class T, int D>
             axis[a][0] = scale * get<field::Mass>(p) * get<field::VolumeRatio>(p) * sums.slope(i, 0, a);
             axis[a][1] = Pack<T>(T(0));
           }
-          scatter_pack<Shape, AxisWeights::slope>(nodes, box, in_tile.in_cells(get<field::Position>(p)), n, value,
-                                                  axis, half_sizes<Shape>(p, in_tile.per_spacing));
+          scatter_pack<Shape, AxisWeights::slope>(nodes, box, in_tile.in_cells(get<field::Position>(p)), n, value, axis,
+                                                  half_sizes<Shape>(p, in_tile.per_spacing));
         });
   }
 }

@@ -14,9 +14,9 @@ namespace mote::passes {
 /// Energies and impulses of one step that only the grid knows; sums over nodes.
 template <int D>
 struct GridLedger {
-  double work = 0;       ///< by internal forces and loads, J: what the kinetic energy of the constrained grid gains
-  double load_work = 0;  ///< by loads alone, J
-  double wall_loss = 0;  ///< kinetic energy taken at once by planes that the incoming momentum does not obey, J
+  double work = 0;         ///< by internal forces and loads, J: what the kinetic energy of the constrained grid gains
+  double load_work = 0;    ///< by loads alone, J
+  double wall_loss = 0;    ///< kinetic energy taken at once by planes that the incoming momentum does not obey, J
   double piston_work = 0;  ///< by planes that move, J
   std::array<Vec<double, D>, 2 * D> impulse{};  ///< that boundary parts gave the body, N s, by number of the part
 
@@ -191,8 +191,8 @@ template <class T, int D>
 /// Holds a velocity field to the planes. \return the impulses that this takes, of velocities that the particles get
 template <class T, int D>
 [[gnu::noinline]] GridLedger<D> hold_field(std::uint32_t block, AlignedVector<T>& field,
-                                           const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                                           int support, const Vec<double, D>& frame_velocity) {
+                                           const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support,
+                                           const Vec<double, D>& frame_velocity) {
   GridLedger<D> ledger;
   Images<D> images;
   images.frame_velocity = frame_velocity;

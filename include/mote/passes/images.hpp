@@ -36,7 +36,7 @@ struct Images {
   std::array<int, D> held;   ///< per component: the boundary part that flips it in some image or on its plane, or -1
   std::array<bool, D> zero;  ///< per component: vanishes, since the node lies on a plane that flips it
   std::array<bool, D> zero_by_symmetry;  ///< the same for planes with a body beyond them alone
-  Vec<double, D> frame_velocity{};  ///< velocity of the planes, m/s; what they carry and demand is meant beside it
+  Vec<double, D> frame_velocity{};       ///< velocity of the planes, m/s; what they carry and demand is meant beside it
 
   /// False if the node is itself beyond a plane, or if no plane concerns it.
   template <class T>

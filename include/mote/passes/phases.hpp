@@ -374,7 +374,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
   }
 
-  /// Holds a node field to the planes, which move with frame_velocity (differences of velocities: with none). \return what impulses that takes
+  /// Holds a node field to the planes, which move with frame_velocity (differences of velocities: with none). \return
+  /// what impulses that takes
   GridLedger<D> hold(AlignedVector<T>& field, const Vec<double, D>& frame_velocity) {
     block_ledgers_.assign(tiling_.plane_blocks.size(), {});
     executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
@@ -391,8 +392,8 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   GridLedger<D> sharpen(const AlignedVector<T>& v, AlignedVector<T>& sharp) {
     return passes::sharpen<Shape>([&](const auto& f) { for_each_awake_tile(f); },
                                   [&](const auto& f) { for_each_block(f); },
-                                  [&](auto& residual) { return hold(residual, {}); },
-                                  transfer_.order, v, sharp, tiling_, blocks_, frame_, accumulators_.data());
+                                  [&](auto& residual) { return hold(residual, {}); }, transfer_.order, v, sharp,
+                                  tiling_, blocks_, frame_, accumulators_.data());
   }
 
   template <class B>

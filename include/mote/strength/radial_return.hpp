@@ -22,8 +22,8 @@ struct RadialReturn {
 /// First order on strain paths that are curved in the deviatoric plane. \param shear_modulus G, Pa, a number or of type
 /// T. Source: Simo and Hughes, Computational Inelasticity (1998), boxes 3.1 and 3.2; Wilkins (1964).
 template <class T, class G>
-[[gnu::always_inline]] inline RadialReturn<T> radial_return(const SymTensor<T>& trial, const T& plastic_strain, const G& shear_modulus,
-                              const LinearHardening& law) {
+[[gnu::always_inline]] inline RadialReturn<T> radial_return(const SymTensor<T>& trial, const T& plastic_strain,
+                                                            const G& shear_modulus, const LinearHardening& law) {
   using std::max;
   using std::sqrt;
   const T limit = law.yield_stress(plastic_strain);

@@ -56,7 +56,8 @@ TEST_CASE("mixed hardening: without H_kin it is the isotropic metal") {
   for (int step = 0; step < 100; ++step) {
     const Matrix a = random.matrix(random.size());
     const double work = move(isotropic, one, a);
-    REQUIRE(move(mixed, other, a) == Approx(work).epsilon(1e-12));
+    // the margin is the round-off of a trial stress of some GPa, times Y/3G
+    REQUIRE(move(mixed, other, a) == Approx(work).epsilon(1e-12).margin(1e-8));
     REQUIRE(magnitude(s_of(one) - s_of(other)) < 1e-12 * 120e6);
     REQUIRE(strain_of(one) == Approx(strain_of(other)).epsilon(1e-13));
   }
