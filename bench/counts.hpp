@@ -91,7 +91,8 @@ template <class Shape, class Transfer, class T, class Mat>
 struct Counts {
   static constexpr int n = Shape::support;
   static constexpr bool affine = Transfer::affine, increment = Transfer::increment;
-  static constexpr bool by_slopes = affine && Shape::inertia == 0;  ///< C is the gradient
+  static constexpr bool of_gradient = mote::detail::takes_gradient<Transfer>;  ///< and its change by the forces
+  static constexpr bool by_slopes = affine && (Shape::inertia == 0 || of_gradient);  ///< C is the gradient
   static constexpr double number = sizeof(T);
 
   using Material = mote::particle_fields_of<Mat>;
@@ -150,7 +151,8 @@ struct Counts {
  private:
   /// C scaled, or v + blend (v_p + dv - v) with its own contraction of dv.
   constexpr double take_velocity() const {
-    return (affine ? 9 : 0) + (increment ? 3 * (4 + detail::gather_value(n)) : 0);
+    const double of_increment = of_gradient ? detail::gather_slopes(n) + 3 * 4 : detail::gather_value(n);
+    return (affine ? 9 : 0) + (increment ? 3 * (4 + of_increment) : 0);
   }
   /// x + dt v, dt L, the material, the speed.
   constexpr double deformation() const { return 3 * 2 + 9 + detail::update_material + detail::speed; }

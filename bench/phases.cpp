@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   bench::add_linear_apic();
   bench::add_quadratic_flip();
   bench::add_quadratic_apic();
+  bench::add_quadratic_aflip();
   bench::add_cubic_flip();
   bench::add_cubic_apic();
   benchmark::RegisterBenchmark("machine/after", machine_limits, true)->Iterations(1)->Unit(benchmark::kMillisecond);

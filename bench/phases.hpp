@@ -121,6 +121,7 @@ void add_linear_flip();
 void add_linear_apic();
 void add_quadratic_flip();
 void add_quadratic_apic();
+void add_quadratic_aflip();
 void add_cubic_flip();
 void add_cubic_apic();
 

@@ -7,7 +7,7 @@ import pathlib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 DIRECTORY = ROOT / "build" / "bench"
 USUAL = ["linear", "quadratic", "cubic"]
-NAMES = {"flip": "FLIP", "apic": "APIC", "usl": "USL", "musl": "MUSL"}
+NAMES = {"flip": "FLIP", "apic": "APIC", "aflip": "AffineFlip", "usl": "USL", "musl": "MUSL"}
 
 
 def rows(benchmark):
@@ -25,7 +25,7 @@ def rows(benchmark):
 def schemes(precision="double"):
     """[(scheme, counters)] of the benchmark of phases in a fixed order."""
     found = rows("phases")
-    wanted = [f"{s}/{t}/{u}" for s in USUAL for t in ("flip", "apic") for u in ("usl", "musl")]
+    wanted = [f"{s}/{t}/{u}" for s in USUAL for t in ("flip", "apic", "aflip") for u in ("usl", "musl")]
     return [(w, found[f"{w}/{precision}"]) for w in wanted if f"{w}/{precision}" in found]
 
 

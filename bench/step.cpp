@@ -43,6 +43,7 @@ void beside_textbook(benchmark::State& state, Shape shape, Transfer transfer, Up
 using mote::shape::CubicBSpline;
 using mote::shape::Linear;
 using mote::shape::QuadraticBSpline;
+using mote::transfer::AffineFlip;
 using mote::transfer::Apic;
 using mote::transfer::Flip;
 using mote::update::Musl;
@@ -50,13 +51,17 @@ using mote::update::Usl;
 template <textbook::Shape S, textbook::Transfer X, textbook::Update U>
 using Loop = textbook::Loop<S, X, U>;
 constexpr auto linear = textbook::Shape::linear, quadratic = textbook::Shape::quadratic, cubic = textbook::Shape::cubic;
-constexpr auto flip = textbook::Transfer::flip, apic = textbook::Transfer::apic;
+constexpr auto flip = textbook::Transfer::flip, apic = textbook::Transfer::apic,
+               affine_flip = textbook::Transfer::affine_flip;
 constexpr auto usl = textbook::Update::usl, musl = textbook::Update::musl;
 
 void linear_flip_musl(benchmark::State& s) { beside_textbook<Loop<linear, flip, musl>>(s, Linear{}, Flip{}, Musl{}); }
 void linear_flip_usl(benchmark::State& s) { beside_textbook<Loop<linear, flip, usl>>(s, Linear{}, Flip{}, Usl{}); }
 void quadratic_apic_usl(benchmark::State& s) {
   beside_textbook<Loop<quadratic, apic, usl>>(s, QuadraticBSpline{}, Apic{}, Usl{});
+}
+void quadratic_affine_flip_usl(benchmark::State& s) {
+  beside_textbook<Loop<quadratic, affine_flip, usl>>(s, QuadraticBSpline{}, AffineFlip{}, Usl{});
 }
 void quadratic_flip_usl(benchmark::State& s) {
   beside_textbook<Loop<quadratic, flip, usl>>(s, QuadraticBSpline{}, Flip{}, Usl{});
@@ -96,6 +101,15 @@ void threads(benchmark::State& state, Shape shape, Transfer transfer, Update upd
 void two_threads_quadratic_apic(benchmark::State& s) { threads(s, QuadraticBSpline{}, Apic{}, Usl{}); }
 void two_threads_linear_flip_musl(benchmark::State& s) { threads(s, Linear{}, Flip{}, Musl{}); }
 
+/// What the default transfer of the cavity costs beside APIC.
+void affine_flip_for_apic(benchmark::State& state) {
+  bench::keep_on_cores(0, 0);
+  const bench::Scene scene;
+  auto one = scene.library<double>(QuadraticBSpline{}, Apic{}, Usl{}, mote::execution::Serial{});
+  auto two = scene.library<double>(QuadraticBSpline{}, AffineFlip{}, Usl{}, mote::execution::Serial{});
+  beside_each_other(state, *one, *two, bench::own_time);
+}
+
 void float_quadratic_apic(benchmark::State& state) {
   bench::keep_on_cores(0, 0);
   const bench::Scene scene;
@@ -114,9 +128,11 @@ int main(int argc, char** argv) {
   add("textbook/linear/flip/usl", linear_flip_usl);
   add("textbook/quadratic/flip/usl", quadratic_flip_usl);
   add("textbook/quadratic/apic/usl", quadratic_apic_usl);
+  add("textbook/quadratic/aflip/usl", quadratic_affine_flip_usl);
   add("textbook/cubic/apic/usl", cubic_apic_usl);
   add("two_threads/quadratic/apic/usl", two_threads_quadratic_apic);
   add("two_threads/linear/flip/musl", two_threads_linear_flip_musl);
+  add("aflip/quadratic/usl", affine_flip_for_apic);
   add("float/quadratic/apic/usl", float_quadratic_apic);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

@@ -49,7 +49,8 @@ def textbook():
 
 def threads():
     found = results.rows("step")
-    kinds = {"two_threads": "two threads instead of one", "float": "float instead of double"}
+    kinds = {"two_threads": "two threads instead of one", "float": "float instead of double",
+             "aflip": "AffineFlip instead of APIC"}
     body = []
     for name, r in found.items():
         kind, _, scheme = name.partition("/")

@@ -18,7 +18,7 @@
 namespace textbook {
 
 enum class Shape { linear, quadratic, cubic, gimp, contiguous_gimp };
-enum class Transfer { flip, apic };
+enum class Transfer { flip, apic, affine_flip };
 enum class Update { usl, musl };
 
 /// One vector per component.
@@ -27,7 +27,7 @@ struct Particles {
   Column m, J, strain, work, temperature;
   std::array<Column, 3> x, v;
   std::array<Column, 6> s;
-  std::array<Column, 9> C;  ///< row-major, only with APIC
+  std::array<Column, 9> C;  ///< row-major, not with FLIP
   std::array<Column, 3> l;  ///< half sizes, only with GIMP
   std::size_t size() const { return m.size(); }
 };
@@ -37,15 +37,18 @@ template <Shape S, Transfer T, Update U>
 class Loop : public Grid {
   static constexpr int N = S == Shape::linear ? 2 : (S == Shape::cubic ? 4 : 3);
   static constexpr int ghosts = N / 2;  // of a particle up to half a cell beyond a plane
-  static constexpr bool apic = T == Transfer::apic, flip = !apic, musl = U == Update::musl, usl = !musl;
+  static constexpr bool affine = T != Transfer::flip, increments = T != Transfer::apic, musl = U == Update::musl,
+                        usl = !musl;
+  static constexpr bool old_gradients = T == Transfer::affine_flip;
   static constexpr bool gimp = S == Shape::gimp || S == Shape::contiguous_gimp;
-  static constexpr bool moments = apic && S != Shape::linear && !gimp;  // else C is the velocity gradient
+  static constexpr bool moments = T == Transfer::apic && S != Shape::linear && !gimp;  // else C is the gradient
 
  public:
   Metal metal;
-  double blend = 1;     ///< FLIP: 1, PIC: 0; no meaning with APIC
-  Vector gravity = {};  ///< body force per mass, m/s^2
-  Vector impulse = {};  ///< given by the planes since the beginning, N s
+  double blend = 1;         ///< FLIP: 1, PIC: 0; no meaning with APIC
+  double affine_blend = 1;  ///< the same for C, with affine FLIP
+  Vector gravity = {};      ///< body force per mass, m/s^2
+  Vector impulse = {};      ///< given by the planes since the beginning, N s
   Particles particles;
 
   explicit Loop(const Box& where, const Metal& material = {})
@@ -62,7 +65,7 @@ class Loop : public Grid {
     for (auto& column : P.s) column.push_back(0);
     if (gimp)
       for (auto& column : P.l) column.push_back(0.25 * box.spacing);
-    if (apic)
+    if (affine)
       for (auto& column : P.C) column.push_back(0);
     if (musl)
       for (auto& column : drift) column.push_back(0);
@@ -72,8 +75,8 @@ class Loop : public Grid {
   void step(double dt) {
     for (Node& n : nodes) n = {};
     for (std::size_t p = 0; p < particles.size(); ++p) scatter(p);
-    if constexpr (flip) set_old_velocity();
-    const Vector given = move(dt, gravity, flip ? blend : 0);
+    if constexpr (increments) set_old_velocity();
+    const Vector given = move(dt, gravity, increments ? blend : 0);
     for (int a = 0; a < 3; ++a) impulse[a] += given[a];
     if constexpr (musl) {
       for (std::size_t p = 0; p < particles.size(); ++p) gather_and_rescatter(p);
@@ -90,7 +93,7 @@ class Loop : public Grid {
   };
   struct Gathered {
     Vector v{}, old{};
-    Matrix gradient{}, moment{};
+    Matrix gradient{}, moment{}, old_gradient{};
   };
 
   double inverse;
@@ -149,7 +152,7 @@ class Loop : public Grid {
     const double m = particles.m[p];
     for (int a = 0; a < 3; ++a) {
       mv[a] = m * particles.v[a][p];
-      if constexpr (apic)
+      if constexpr (affine)
         for (int b = 0; b < 3; ++b) mC[a][b] = m * particles.C[3 * a + b][p];
     }
   }
@@ -162,7 +165,7 @@ class Loop : public Grid {
         const double ww = t.w[0][i] * t.w[1][j], dw = t.d[0][i] * t.w[1][j], wd = t.w[0][i] * t.d[1][j];
         Vector q, f, g;
         for (int a = 0; a < 3; ++a) {
-          q[a] = mv[a] + (apic ? mC[a][0] * t.r[0][i] + mC[a][1] * t.r[1][j] : 0);
+          q[a] = mv[a] + (affine ? mC[a][0] * t.r[0][i] + mC[a][1] * t.r[1][j] : 0);
           f[a] = stress[a][0] * dw + stress[a][1] * wd;
           g[a] = stress[a][2] * ww;
         }
@@ -170,7 +173,7 @@ class Loop : public Grid {
         for (int k = 0; k < N; ++k) {
           Node& n = row[t.at[2][k]];
           const double w = ww * t.w[2][k];
-          for (int a = 0; a < 3; ++a) n.p[a] += w * (apic ? q[a] + mC[a][2] * t.r[2][k] : q[a]);
+          for (int a = 0; a < 3; ++a) n.p[a] += w * (affine ? q[a] + mC[a][2] * t.r[2][k] : q[a]);
           if constexpr (!Full) continue;
           n.m += w * m;
           for (int a = 0; a < 3; ++a) n.f[a] -= t.w[2][k] * f[a] + t.d[2][k] * g[a];
@@ -191,7 +194,8 @@ class Loop : public Grid {
     spread<true>(stencil(p), P.m[p], mv, mC, stress);
   }
 
-  /// Sums of v_new, and if asked of v_old, of v_new (x) grad w and of w v_new (x) (x_i - x_p).
+  /// Sums of v_new, and if asked of v_old, of v_new (x) grad w (of v_old too with affine FLIP) and of
+  /// w v_new (x) (x_i - x_p).
   template <bool Old, bool Gradient, bool Moment>
   Gathered gather(const Stencil& t) const {
     Gathered g;
@@ -199,7 +203,7 @@ class Loop : public Grid {
       for (int j = 0; j < N; ++j) {
         const double ww = t.w[0][i] * t.w[1][j], dw = t.d[0][i] * t.w[1][j], wd = t.w[0][i] * t.d[1][j];
         const Motion* row = &motion[t.at[0][i] + t.at[1][j]];
-        Vector v{}, old{}, slope{}, moment{};
+        Vector v{}, old{}, slope{}, moment{}, old_slope{};
         for (int k = 0; k < N; ++k) {
           const Motion& n = row[t.at[2][k]];
           const double w = t.w[2][k], d = t.d[2][k], r = w * t.r[2][k];
@@ -207,6 +211,7 @@ class Loop : public Grid {
             v[a] += w * n.v[a];
             if constexpr (Old) old[a] += w * n.old[a];
             if constexpr (Gradient) slope[a] += d * n.v[a];
+            if constexpr (old_gradients && Old && Gradient) old_slope[a] += d * n.old[a];
             if constexpr (Moment) moment[a] += r * n.v[a];
           }
         }
@@ -218,6 +223,11 @@ class Loop : public Grid {
             g.gradient[a][1] += wd * v[a];
             g.gradient[a][2] += ww * slope[a];
           }
+          if constexpr (old_gradients && Old && Gradient) {
+            g.old_gradient[a][0] += dw * old[a];
+            g.old_gradient[a][1] += wd * old[a];
+            g.old_gradient[a][2] += ww * old_slope[a];
+          }
           if constexpr (Moment) {
             g.moment[a][0] += ww * t.r[0][i] * v[a];
             g.moment[a][1] += ww * t.r[1][j] * v[a];
@@ -228,21 +238,24 @@ class Loop : public Grid {
     return g;
   }
 
-  /// The particle's new velocity, and C with APIC.
+  /// The particle's new velocity, and C if there is one.
   void take_velocity(std::size_t p, const Gathered& g) {
     const double D = (S == Shape::cubic ? 1.0 / 3 : 0.25) * box.spacing * box.spacing;
     for (int a = 0; a < 3; ++a) {
       double& v = particles.v[a][p];
-      v = apic ? g.v[a] : g.v[a] + blend * (v - g.old[a]);
-      if constexpr (apic)
-        for (int b = 0; b < 3; ++b) particles.C[3 * a + b][p] = moments ? g.moment[a][b] / D : g.gradient[a][b];
+      v = increments ? g.v[a] + blend * (v - g.old[a]) : g.v[a];
+      for (int b = 0; affine && b < 3; ++b) {
+        double& C = particles.C[3 * a + b][p];
+        const double kept = old_gradients ? affine_blend * (C - g.old_gradient[a][b]) : 0;
+        C = (moments ? g.moment[a][b] / D : g.gradient[a][b]) + kept;
+      }
     }
   }
 
   /// MUSL: the velocity, then its momentum back to the grid.
   void gather_and_rescatter(std::size_t p) {
     const Stencil t = stencil(p);
-    const Gathered g = gather < flip, apic && !moments, moments > (t);
+    const Gathered g = gather < increments, affine && !moments, moments > (t);
     take_velocity(p, g);
     for (int a = 0; a < 3; ++a) drift[a][p] = g.v[a];
     Vector mv;
@@ -254,7 +267,7 @@ class Loop : public Grid {
   /// Velocity (USL), stress and position from the nodes' velocity.
   void move_particle(std::size_t p, double dt) {
     Particles& P = particles;
-    Gathered g = gather < flip && usl, true, moments && usl > (stencil(p));
+    Gathered g = gather < increments && usl, true, moments && usl > (stencil(p));
     if constexpr (usl) take_velocity(p, g);
     for (Vector& row : g.gradient)
       for (double& L : row) L *= dt;

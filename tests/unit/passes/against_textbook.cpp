@@ -27,6 +27,7 @@ void run_beside(double blend, textbook::Box box, const Sides&... sides) {
   shake(particles, 20);
   Book<Scheme> book(box);
   book.blend = blend;
+  if constexpr (Scheme::affine_flip) book.affine_blend = transfer::AffineFlip{}.affine_blend;
   copy_particles(particles, book);
 
   for (int i = 0; i < 20; ++i) {
@@ -49,7 +50,7 @@ void run_beside(double blend, textbook::Box box, const Sides&... sides) {
 
 template <class Scheme>
 double blend() {
-  return Scheme::flip ? GENERATE(1.0, 0.97) : 0.0;
+  return Scheme::flip || Scheme::affine_flip ? GENERATE(1.0, 0.97) : 0.0;
 }
 
 }  // namespace

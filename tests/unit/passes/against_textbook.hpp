@@ -19,9 +19,12 @@ inline constexpr auto book_shape = std::is_same_v<Shape, shape::Linear>         
                                                                                     : textbook::Shape::cubic;
 
 template <class Scheme>
-using Book = textbook::Loop<
-    book_shape<typename Scheme::Shape>, Scheme::flip ? textbook::Transfer::flip : textbook::Transfer::apic,
-    std::is_same_v<typename Scheme::Update, update::Usl> ? textbook::Update::usl : textbook::Update::musl>;
+using Book = textbook::Loop<book_shape<typename Scheme::Shape>,
+                            Scheme::flip          ? textbook::Transfer::flip
+                            : Scheme::affine_flip ? textbook::Transfer::affine_flip
+                                                  : textbook::Transfer::apic,
+                            std::is_same_v<typename Scheme::Update, update::Usl> ? textbook::Update::usl
+                                                                                 : textbook::Update::musl>;
 
 /// The particles of a solver whose columns are still in the order of their ids, as the textbook's.
 template <class P, class B>

@@ -21,7 +21,7 @@ struct Scheme {
   using Shape = S;
   using Transfer = X;
   using Update = U;
-  static constexpr bool flip = std::is_same_v<X, transfer::Flip>;
+  static constexpr bool flip = std::is_same_v<X, transfer::Flip>, affine_flip = std::is_same_v<X, transfer::AffineFlip>;
 };
 
 using LinearFlipUsl = Scheme<shape::Linear, transfer::Flip, update::Usl>;
@@ -32,6 +32,9 @@ using QuadraticFlipUsl = Scheme<shape::QuadraticBSpline, transfer::Flip, update:
 using QuadraticFlipMusl = Scheme<shape::QuadraticBSpline, transfer::Flip, update::Musl>;
 using QuadraticApicUsl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Usl>;
 using QuadraticApicMusl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Musl>;
+using LinearAffineFlipMusl = Scheme<shape::Linear, transfer::AffineFlip, update::Musl>;
+using QuadraticAffineFlipUsl = Scheme<shape::QuadraticBSpline, transfer::AffineFlip, update::Usl>;
+using CubicAffineFlipMusl = Scheme<shape::CubicBSpline, transfer::AffineFlip, update::Musl>;
 using CubicFlipUsl = Scheme<shape::CubicBSpline, transfer::Flip, update::Usl>;
 using CubicFlipMusl = Scheme<shape::CubicBSpline, transfer::Flip, update::Musl>;
 using CubicApicUsl = Scheme<shape::CubicBSpline, transfer::Apic, update::Usl>;
@@ -44,7 +47,7 @@ using ContiguousGimpApicUsl = Scheme<shape::ContiguousGimp, transfer::Apic, upda
 
 template <class Scheme>
 typename Scheme::Transfer transfer_of(double blend) {
-  if constexpr (Scheme::flip)
+  if constexpr (Scheme::flip || Scheme::affine_flip)
     return {.blend = blend};
   else
     return {};
@@ -56,12 +59,15 @@ typename Scheme::Transfer transfer_of(double blend) {
   schemes::QuadraticFlipUsl, schemes::QuadraticFlipMusl, schemes::QuadraticApicUsl, schemes::QuadraticApicMusl
 #define MOTE_TEST_CUBIC_SCHEMES \
   schemes::CubicFlipUsl, schemes::CubicFlipMusl, schemes::CubicApicUsl, schemes::CubicApicMusl
-#define MOTE_TEST_GIMP_SCHEMES                                                              \
+#define MOTE_TEST_GIMP_SCHEMES                                                                                  \
   schemes::GimpFlipUsl, schemes::GimpApicMusl, schemes::ContiguousGimpFlipUsl, schemes::ContiguousGimpFlipMusl, \
       schemes::ContiguousGimpApicUsl
 
-#define MOTE_TEST_SCHEMES \
-  MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES, MOTE_TEST_GIMP_SCHEMES
+#define MOTE_TEST_AFFINE_FLIP_SCHEMES \
+  schemes::LinearAffineFlipMusl, schemes::QuadraticAffineFlipUsl, schemes::CubicAffineFlipMusl
+#define MOTE_TEST_SCHEMES                                                                                 \
+  MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES, MOTE_TEST_GIMP_SCHEMES, \
+      MOTE_TEST_AFFINE_FLIP_SCHEMES
 
 struct Random {
   std::mt19937 generator{7};
