@@ -94,12 +94,17 @@ TEST_CASE("a node is found by its coordinates, and they by its number", "[grid]"
 TEST_CASE("the remapped velocity takes memory only when asked for", "[grid]") {
   grid::Blocks<double, 2> blocks;
   blocks.index.insert({0, 0});
-  blocks.allocate(false);
+  blocks.allocate(false, false, false);
   CHECK(blocks.mass.size() == 16);
   CHECK(blocks.velocity.size() == 64);
   CHECK(blocks.remapped.empty());
-  blocks.allocate(true);
+  blocks.allocate(true, false, false);
   CHECK(blocks.remapped.size() == 64);
+  CHECK(blocks.sharp.empty());
+  CHECK(blocks.residual.empty());
+  blocks.allocate(false, true, true);
+  CHECK(blocks.sharp.size() == 64);
+  CHECK(blocks.residual.size() == 64);
 }
 
 TEST_CASE("a grid refuses a spacing that is not positive", "[grid]") {

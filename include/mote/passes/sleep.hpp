@@ -96,7 +96,7 @@ class Sleeper<Policy, T, D, true> {
     rest.velocity = body.particles.template get<field::Velocity>(tile.first);
     const TileFrame<T, D> in_tile = frame.of_block(tile.block);
     Extent extent;
-    Values<Pack<T>, D, union_of<fields<field::Position>, observed<B>>> p;
+    Values<Pack<T>, D, union_of<fields<field::Position>, observed<B>>> p{};  // a tile is never empty
     for (std::uint32_t i = 0; i < tile.count; i += lanes) {
       body.particles.load(tile.first + i, std::min(lanes, int(tile.count - i)), p);
       const auto found = policy_.disturbance(body.material, p, rest.velocity, frame.spacing);

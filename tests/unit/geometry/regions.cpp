@@ -29,7 +29,7 @@ struct NoLevel {
 };
 
 static_assert(Region<Box<1>> && Region<Ball<2>> && Region<HalfSpace<3>> && Region<Band>);
-static_assert(Region<decltype(Box<2>{} - Ball<2>{})> && Region<decltype(Band{} & ~Ball<2>{} | Box<2>{})>);
+static_assert(Region<decltype(Box<2>{} - Ball<2>{})> && Region<decltype((Band{} & ~Ball<2>{}) | Box<2>{})>);
 static_assert(!Region<int> && !Region<Vec<double, 3>> && !Region<NoLevel>);
 template <class A, class B>
 constexpr bool composable = requires(A a, B b) {

@@ -117,10 +117,10 @@ TEST_CASE("a cut plane is exact at any slope", "[geometry]") {
     CAPTURE(slope);
     const HalfSpace<3> plane{.point = {0.5, 0.5, 0.5}, .normal = {1, slope, slope / 3}};
     const Vec<double, 3> centre{0.5, 0.5, 0.5};
-    detail::Piece<3> below, above;
+    geometry::detail::Piece<3> below, above;
     const auto outside = ~plane;
-    detail::Cut<HalfSpace<3>>{plane, centre}.add_inside({}, 0.5, 0, below);
-    detail::Cut<Complement<HalfSpace<3>>>{outside, centre}.add_inside({}, 0.5, 0, above);
+    geometry::detail::Cut<HalfSpace<3>>{plane, centre}.add_inside({}, 0.5, 0, below);
+    geometry::detail::Cut<Complement<HalfSpace<3>>>{outside, centre}.add_inside({}, 0.5, 0, above);
     CHECK(below.volume == Approx(0.5).epsilon(1e-12));
     CHECK(above.volume == Approx(0.5).epsilon(1e-12));
     CHECK(norm(below.moment + above.moment) < 1e-14);

@@ -161,8 +161,8 @@ class Loop : public textbook::Grid {
     }
   }
 
-  /// S v.
-  Field to_particles(const Field& v) const {
+  /// S v. Not inlined: g++ 12 then takes the vectors' memory for somebody else's.
+  [[gnu::noinline]] Field to_particles(const Field& v) const {
     Field V(particles.size(), Vector{});
     for (std::size_t p = 0; p < V.size(); ++p)
       for (const Weight& t : weights_[p])
