@@ -64,6 +64,15 @@ bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
+/// The largest relative difference of any two numbers.
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+  REQUIRE(a.size() == b.size());
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i]) most = std::max(most, std::abs(a[i] - b[i]) / std::max(std::abs(a[i]), std::abs(b[i])));
+  return most;
+}
+
 template <class Shape, class U>
 void check_momentum(const U& update) {
   const auto check = [&](const auto& transfer) {
@@ -169,9 +178,9 @@ TEMPLATE_TEST_CASE("XPIC(1) and FMPM(1) are PIC", "[transfer]", shape::Linear, s
     const auto xpic = after_20_steps<TestType>(transfer::Xpic{.order = 1}, update),
                fmpm = after_20_steps<TestType>(transfer::Fmpm{.order = 1}, update),
                second = after_20_steps<TestType>(transfer::Fmpm{.order = 2}, update);
-    CHECK(reference == fmpm);
-    CHECK(reference == xpic);
-    CHECK(reference != second);
+    CHECK(apart(reference, fmpm) < 1e-10);  // round-off: compilers may fuse what is inlined differently
+    CHECK(apart(reference, xpic) < 1e-10);
+    CHECK(apart(reference, second) > 1e-3);
   };
   check(update::Usl{});
   check(update::Usf{});
