@@ -127,8 +127,8 @@ TEST_CASE("a cut plane is exact at any slope", "[geometry]") {
   }
   // The corner tetrahedron x + 2y + 4z < 1/2: volume abc/6 with a = 1/2, b = 1/4, c = 1/8, centroid a quarter of each.
   const HalfSpace<3> corner{.point = {0.5, 0, 0}, .normal = {1, 2, 4}};
-  detail::Piece<3> piece;
-  detail::Cut<HalfSpace<3>>{corner, {0.5, 0.5, 0.5}}.add_inside({}, 0.5, 0, piece);
+  geometry::detail::Piece<3> piece;
+  geometry::detail::Cut<HalfSpace<3>>{corner, {0.5, 0.5, 0.5}}.add_inside({}, 0.5, 0, piece);
   CHECK(piece.volume == Approx(1.0 / 384).epsilon(1e-12));
   CHECK(piece.moment[2] == Approx((1.0 / 32 - 0.5) / 384).epsilon(1e-12));
 }
@@ -174,15 +174,15 @@ TEST_CASE("slivers join their neighbours, with volume and moments kept", "[geome
   CHECK(norm(alone[0].position - Vec<double, 3>{0.44, 0.44, 0.44}) < 0.02);
 
   const Ball<3> ball{.centre = {0.13, 0.21, 0.37}, .radius = 7.7};
-  const detail::Sites<3> sites(ball.bounds(), {.spacing = 1, .per_axis = 1});
-  auto placed = detail::fill_fraction(ball, sites);
+  const geometry::detail::Sites<3> sites(ball.bounds(), {.spacing = 1, .per_axis = 1});
+  auto placed = geometry::detail::fill_fraction(ball, sites);
   const auto seeds_of = [](const auto& from) {
     std::vector<Seed<3>> result;
     for (const auto& one : from) result.push_back(one.seed);
     return result;
   };
   const auto before = seeds_of(placed);
-  detail::merge_slivers(placed, sites);
+  geometry::detail::merge_slivers(placed, sites);
   const auto after = seeds_of(placed);
   CHECK(after.size() < before.size());
   CHECK(total(after).volume == Approx(total(before).volume).epsilon(1e-13));
@@ -219,8 +219,8 @@ TEST_CASE("jitter hangs on the lattice site, not on the region, and is the same 
   const auto many = seeds(all, lattice, options);
   for (const auto& seed : seeds(part, lattice, options))
     CHECK(std::any_of(many.begin(), many.end(), [&](const auto& one) { return one.position == seed.position; }));
-  CHECK(detail::mix(0) == 0xE220A8397B1DCDAFu);  // the first number of splitmix64 with seed 0 (Vigna's splitmix64.c)
-  const auto shift = detail::jitter_at<2>({3, -5}, 42, 1);
+  CHECK(geometry::detail::mix(0) == 0xE220A8397B1DCDAFu);  // the first number of splitmix64 with seed 0 (Vigna's splitmix64.c)
+  const auto shift = geometry::detail::jitter_at<2>({3, -5}, 42, 1);
   CHECK(shift[0] == -0.47956498702513195);
   CHECK(shift[1] == 0.58385458890966957);
 }
