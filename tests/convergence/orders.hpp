@@ -20,9 +20,10 @@ enum class Problem {
   free_end,     ///< a pulse comes back from a free end that lies on a node
   free_amid,    ///< a free end that lies amid a cell
   vibration,    ///< first mode of a bar with a fixed and a free end, one period
-  axis_aligned, ///< box in the plane whose sides move along themselves, A = 0.05
-  vortex,       ///< ring in the plane, its middle turned to and fro by 0.5 rad, shear up to 3
-  vortex_small  ///< the same by 0.01 rad
+  axis_aligned,    ///< box in the plane whose sides slide along themselves, A = 0.05
+  vortex,          ///< ring in the plane, cut by volume fraction, its middle turned by 1 rad and back, shear up to 6.9
+  vortex_lattice,  ///< the same, filled by the lattice: edges in stairs
+  vortex_small     ///< the same by 0.001 rad, cut by volume fraction
 };
 inline constexpr int problems_of_the_line = 6;
 
@@ -40,7 +41,9 @@ Methods gimp();
 Methods contiguous_gimp();
 Methods quadratic();
 Methods cubic();
-Methods plane();  ///< some combinations, for the problems in the plane
+/// Some combinations, for the problems in the plane.
+Methods plane();
+Methods plane_affine();
 
 /// Errors on meshes of n, 2n, 4n, ... cells.
 inline std::vector<double> errors(const Method& method, Problem problem, int coarsest, int meshes) {

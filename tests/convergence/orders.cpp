@@ -1,0 +1,147 @@
+// The order of accuracy of each combination of shape function, transfer and update order on each problem, stated here
+// and measured: the first rule that fits a combination says what is expected of it, and why where it is not 2.
+#include "convergence/orders.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "catch.hpp"
+
+namespace {
+
+using namespace orders;
+
+constexpr double none = 0;  ///< the error stops falling, or grows: asserted as an order below 1/2
+constexpr const char* any = "";
+
+struct Rule {
+  const char *shape, *transfer, *update;  ///< any: all
+  Problem problem;
+  double order;
+  const char* why = "";
+};
+
+// RULES
+
+const char* name_of(Problem problem) {
+  constexpr const char* names[] = {"bar, A = 0.05", "bar, A = 1e-4", "wall", "free end", "free end amid a cell", "vibration", "axis-aligned", "vortex", "vortex, stairs", "small vortex"};
+  return names[int(problem)];
+}
+
+/// The coarsest of four meshes: a pulse needs finer ones than a sine.
+int coarsest(Problem problem) {
+  switch (problem) {
+    case Problem::wall:
+    case Problem::free_end:
+    case Problem::free_amid: return 32;
+    case Problem::axis_aligned: return 8;
+    case Problem::vortex:
+    case Problem::vortex_lattice:
+    case Problem::vortex_small: return 6;
+    default: return 16;
+  }
+}
+
+bool fits(const char* pattern, const std::string& name) { return *pattern == 0 || name == pattern; }
+
+const Rule& rule_of(const Method& m, Problem problem) {
+  const auto* rule = std::find_if(std::begin(rules), std::end(rules), [&](const Rule& r) {
+    return r.problem == problem && fits(r.shape, m.shape) && fits(r.transfer, m.transfer) && fits(r.update, m.update);
+  });
+  if (rule == std::end(rules)) throw std::logic_error("no rule for " + m.name() + ", " + name_of(problem));
+  return *rule;
+}
+
+std::string text(const std::vector<double>& errors) {
+  std::string s;
+  for (const double e : errors) {
+    char number[16];
+    std::snprintf(number, sizeof number, " %9.2e |", e);
+    s += number;
+  }
+  return s;
+}
+
+void check(const Methods& methods, Problem problem) {
+  for (const Method& m : methods) {
+    const Rule& rule = rule_of(m, problem);
+    const auto e = errors(m, problem, coarsest(problem), 4);
+    INFO(name_of(problem) << ": " << m.name() << ": expected order " << rule.order << " " << rule.why << "; errors"
+                          << text(e));
+    if (rule.order == none)
+      CHECK_FALSE(order(e) > 0.5);  // also where a run failed
+    else
+      CHECK(order(e) == Approx(rule.order).margin(0.25));
+  }
+}
+
+Methods line() {
+  Methods all;
+  for (const Methods& some : {linear(), gimp(), contiguous_gimp(), quadratic(), cubic()})
+    all.insert(all.end(), some.begin(), some.end());
+  return all;
+}
+
+Methods in_plane() {
+  Methods all = plane();
+  for (const Method& m : plane_affine()) all.push_back(m);
+  return all;
+}
+
+/// Markdown: the errors and orders of all methods on one problem.
+void print(const Methods& methods, Problem problem, int meshes) {
+  std::printf("\n### %s\n\n| combination |", name_of(problem));
+  for (int k = 0; k < meshes; ++k) std::printf(" n = %d |", coarsest(problem) << k);
+  std::printf(" order | expected |\n|---|");
+  for (int k = 0; k < meshes; ++k) std::printf("---|");
+  std::printf("---|---|\n");
+  for (const Method& m : methods) {
+    const Rule& rule = rule_of(m, problem);
+    const auto e = errors(m, problem, coarsest(problem), meshes);
+    std::printf("| %s |%s %.2f | ", m.name().c_str(), text(e).c_str(), order(e));
+    rule.order == none ? std::printf("none |\n") : std::printf("%g |\n", rule.order);
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("orders: bar of Steffen et al., A = 0.05", "[convergence][orders]") { check(line(), Problem::bar_large); }
+TEST_CASE("orders: bar of Steffen et al., A = 1e-4", "[convergence][orders]") { check(line(), Problem::bar_small); }
+TEST_CASE("orders: a pulse comes back from a rigid wall", "[convergence][orders]") { check(line(), Problem::wall); }
+TEST_CASE("orders: a pulse comes back from a free end on a node", "[convergence][orders]") {
+  check(line(), Problem::free_end);
+}
+TEST_CASE("orders: a pulse comes back from a free end amid a cell", "[convergence][orders]") {
+  check(line(), Problem::free_amid);
+}
+TEST_CASE("orders: vibrating bar with a free end", "[convergence][orders]") { check(line(), Problem::vibration); }
+TEST_CASE("orders: axis-aligned displacement", "[convergence][orders]") { check(in_plane(), Problem::axis_aligned); }
+TEST_CASE("orders: generalized vortex of small angle", "[convergence][orders]") {
+  check(in_plane(), Problem::vortex_small);
+}
+TEST_CASE("orders: generalized vortex", "[convergence][orders]") { check(in_plane(), Problem::vortex); }
+
+TEST_CASE("orders: bar of small amplitude, quadratic and cubic with USF: error under 3e-4 at n = 256",
+          "[convergence][orders]") {
+  for (const Methods& some : {quadratic(), cubic()})
+    for (const Method& m : some)
+      if (m.transfer == "FLIP" && m.update == "USF") {
+        const auto e = errors(m, Problem::bar_small, 64, 3);
+        CAPTURE(m.name(), e);
+        CHECK(e.back() < 3e-4);
+        CHECK(order(e) == Approx(2).margin(0.05));
+      }
+}
+
+// Prints the tables of docs/verification.md, which tests/convergence/plot_orders.py draws:
+//
+//     mote_tests "orders: tables" > orders.md && tests/convergence/plot_orders.py orders.md
+TEST_CASE("orders: tables", "[.][slow][table][orders]") {
+  for (int p = 0; p < problems_of_the_line; ++p) print(line(), Problem(p), p < 2 ? 5 : 4);
+}
+TEST_CASE("orders: tables of the plane", "[.][slow][table][orders]") {
+  const auto methods = in_plane();
+  for (const Problem p : {Problem::axis_aligned, Problem::vortex_small, Problem::vortex, Problem::vortex_lattice})
+    print(methods, p, 4);
+}
