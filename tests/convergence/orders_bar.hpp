@@ -64,8 +64,8 @@ inline Motion vibrating_bar() {
           .free = true};
 }
 
-/// u = A (g(X + Ct) -+ g(d - X + Ct)): the pulse g runs to one end and comes back, turned over by a wall, upright from a
-/// free end. It begins and ends in the middle.
+/// u = A (g(X + Ct) -+ g(d - X + Ct)): the pulse g runs to one end and comes back, turned over by a wall, upright from
+/// a free end. It begins and ends in the middle.
 inline Motion pulse(bool free, double length) {
   struct Gauss {
     double at = 0.5, width = 0.08, amplitude = 1e-8;
@@ -77,18 +77,17 @@ inline Motion pulse(bool free, double length) {
   const auto to_end = [=](double X) { return free ? length - X : X; };  // the distance from the end that it runs to
   const auto along = [=](double X, double t) { return C * t + to_end(X); };
   const auto back = [=](double X, double t) { return C * t - to_end(X); };
-  return {.displacement = [=](double X, double t) { return g.value(along(X, t)) + sign * g.value(back(X, t)); },
-          .velocity = [=](double X, double t) { return C * (g.slope(along(X, t)) + sign * g.slope(back(X, t))); },
-          .stretch =
-              [=](double X, double t) {
-                return 1 + (free ? -1 : 1) * (g.slope(along(X, t)) - sign * g.slope(back(X, t)));
-              },
-          .force = {},
-          .scale = g.amplitude,
-          .courant = 0.3,
-          .duration = 1 / C,
-          .length = length,
-          .free = free};
+  return {
+      .displacement = [=](double X, double t) { return g.value(along(X, t)) + sign * g.value(back(X, t)); },
+      .velocity = [=](double X, double t) { return C * (g.slope(along(X, t)) + sign * g.slope(back(X, t))); },
+      .stretch = [=](double X,
+                     double t) { return 1 + (free ? -1 : 1) * (g.slope(along(X, t)) - sign * g.slope(back(X, t))); },
+      .force = {},
+      .scale = g.amplitude,
+      .courant = 0.3,
+      .duration = 1 / C,
+      .length = length,
+      .free = free};
 }
 
 inline Motion motion_of(Problem problem, int cells) {
@@ -158,9 +157,8 @@ void begin(P& p, const std::vector<double>& X, const Motion& motion, double dt, 
   set(field::LeftCauchyGreen{}, [&](double at, std::size_t) { return std::pow(stretch(at), 2); });
   using List = typename P::list;
   if constexpr (contains<List, field::HalfSize>)
-    set(field::HalfSize{}, [&](double at, std::size_t i) {
-      return p.template column<field::HalfSize>()[i] * stretch(at);
-    });
+    set(field::HalfSize{},
+        [&](double at, std::size_t i) { return p.template column<field::HalfSize>()[i] * stretch(at); });
   if constexpr (contains<List, field::Affine>)
     set(field::Affine{}, [&](double at, std::size_t) {
       const double e = 1e-5;

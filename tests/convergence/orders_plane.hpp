@@ -25,8 +25,14 @@ inline auto box_along_axes() {
   const auto rubber = exact::NeoHookean::from_young(1, 1e4, 0.3);
   const exact::AxisAligned<2> motion{
       {.material = rubber, .amplitude = {0.05, 0.05}, .speed = rubber.bar_speed(), .phase = {0, std::numbers::pi}}};
-  return Scene{motion, geometry::Box<2>{.lower = {0, 0}, .upper = {1, 1}}, 1.0, true,
-               1.6 * rubber.longitudinal_speed(), 0.05, 2 / rubber.bar_speed(), geometry::Method::lattice};
+  return Scene{motion,
+               geometry::Box<2>{.lower = {0, 0}, .upper = {1, 1}},
+               1.0,
+               true,
+               1.6 * rubber.longitudinal_speed(),
+               0.05,
+               2 / rubber.bar_speed(),
+               geometry::Method::lattice};
 }
 
 /// \param angle rad
@@ -35,8 +41,9 @@ inline auto vortex(double angle, geometry::Method fill) {
   const exact::GeneralizedVortex<2> motion{{.material = rubber, .amplitude = angle}};
   const double shear = 6.9 * angle;  // the largest R d_R alpha; along it b = 1 + shear^2 at most, and a bit
   const double wave = std::sqrt((rubber.mu * (3 + shear * shear) + rubber.lambda) / rubber.rho0);
-  return Scene{motion, geometry::Ball<2>{.radius = 1.25} - geometry::Ball<2>{.radius = 0.75}, 2.0, false, wave, angle,
-               1.0, fill};
+  return Scene{
+      motion, geometry::Ball<2>{.radius = 1.25} - geometry::Ball<2>{.radius = 0.75}, 2.0, false, wave, angle, 1.0,
+      fill};
 }
 
 /// Puts the particles where the motion begins; see the one on the line.

@@ -28,7 +28,7 @@ def read(name):
             rows = tables.setdefault(line[4:].strip(), [])
         elif line.startswith("| combination"):
             cells = [int(f[4:]) for f in fields if f.startswith("n = ")]
-        elif line.startswith("| ") and not line.startswith("|--"):
+        elif line.startswith("| ") and cells:
             rows.append((fields[0].split(", "), list(zip(cells, map(float, fields[1:1 + len(cells)])))))
     return tables
 
