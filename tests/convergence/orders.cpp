@@ -128,7 +128,7 @@ Methods line() {
 
 Methods in_plane() {
   Methods all = plane();
-  for (const Method& m : plane_affine()) all.push_back(m);
+  for (const Method& m : more_in_plane()) all.push_back(m);
   return all;
 }
 

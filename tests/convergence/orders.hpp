@@ -43,7 +43,7 @@ Methods quadratic();
 Methods cubic();
 /// Some combinations, for the problems in the plane.
 Methods plane();
-Methods plane_affine();
+Methods more_in_plane();
 
 /// Errors on meshes of n, 2n, 4n, ... cells.
 inline std::vector<double> errors(const Method& method, Problem problem, int coarsest, int meshes) {

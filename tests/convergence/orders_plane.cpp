@@ -3,7 +3,6 @@
 orders::Methods orders::plane() {
   Methods all;
   add_plane<shape::Linear>(all, "linear", "FLIP", transfer::Flip{});
-  add_plane<shape::ContiguousGimp>(all, "cpGIMP", "FLIP", transfer::Flip{});
   add_plane<shape::QuadraticBSpline>(all, "quadratic", "FLIP", transfer::Flip{});
   return all;
 }

@@ -42,8 +42,10 @@ inline auto vortex(double angle, geometry::Method fill) {
   const double shear = 6.9 * angle;  // the largest R d_R alpha; along it b = 1 + shear^2 at most, and a bit
   const double wave = std::sqrt((rubber.mu * (3 + shear * shear) + rubber.lambda) / rubber.rho0);
   return Scene{
-      motion, geometry::Ball<2>{.radius = 1.25} - geometry::Ball<2>{.radius = 0.75}, 2.0, false, wave, angle, 1.0,
-      fill};
+      motion, geometry::Ball<2>{.centre = {0, 0}, .radius = 1.25} - geometry::Ball<2>{.centre = {0, 0}, .radius = 0.75},
+      2.0,    false,
+      wave,   angle,
+      1.0,    fill};
 }
 
 /// Puts the particles where the motion begins; see the one on the line.
