@@ -36,7 +36,7 @@ inline auto box_along_axes() {
 }
 
 /// \param angle rad
-inline auto vortex(double angle, geometry::Method fill) {
+inline auto vortex(double angle) {
   const auto rubber = exact::NeoHookean::from_young(1000, 1000, 0.3);
   const exact::GeneralizedVortex<2> motion{{.material = rubber, .amplitude = angle}};
   const double shear = 6.9 * angle;  // the largest R d_R alpha; along it b = 1 + shear^2 at most, and a bit
@@ -126,11 +126,9 @@ double run(const Transfer& transfer, const AnyUpdate& update, const S& scene, in
 template <class Shape, class Transfer>
 void add_plane(Methods& all, const char* shape, const char* name, const Transfer& transfer) {
   add(all, shape, name, [=](const AnyUpdate& update, Problem problem, int cells) {
-    using geometry::Method;
     if (problem == Problem::axis_aligned) return run<Shape>(transfer, update, box_along_axes(), cells);
-    const double angle = problem == Problem::vortex_small ? 1e-3 : 1;
-    const auto fill = problem == Problem::vortex_lattice ? Method::lattice : Method::fraction;
-    return run<Shape>(transfer, update, vortex(angle, fill), cells);
+    const double angle = problem == Problem::vortex ? 1 : problem == Problem::vortex_mild ? 0.2 : 1e-3;
+    return run<Shape>(transfer, update, vortex(angle), cells);
   });
 }
 
