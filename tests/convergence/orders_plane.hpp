@@ -45,7 +45,7 @@ inline auto vortex(double angle) {
       motion, geometry::Ball<2>{.centre = {0, 0}, .radius = 1.25} - geometry::Ball<2>{.centre = {0, 0}, .radius = 0.75},
       2.0,    false,
       wave,   angle,
-      1.0,    fill};
+      1.0,    geometry::Method::fraction};
 }
 
 /// Puts the particles where the motion begins; see the one on the line.
