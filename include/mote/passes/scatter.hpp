@@ -91,13 +91,16 @@ template <class Shape, class Transfer, class B, class T, int D>
   const TileFrame<T, D> in_tile = frame.of_block(tile.block);
   const double spacing = frame.spacing;
   for_each_pack(tile, [&](std::size_t first, int n) {
-    Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity, field::Mass>, particle_fields_of<Transfer>>> p;
+    Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity, field::Mass>, particle_fields_of<Shape>,
+                                particle_fields_of<Transfer>>>
+        p;
     body.particles.load(first, n, p);
     Momentum<T, D> brought;
     brought.template add_momentum<Transfer>(p, spacing);
     brought.value[D] = get<field::Mass>(p);
     scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(
-        nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis);
+        nodes, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis,
+        half_sizes<Shape>(p, in_tile.per_spacing));
   });
 }
 

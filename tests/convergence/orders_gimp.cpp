@@ -1,0 +1,3 @@
+#include "convergence/orders_bar.hpp"
+
+orders::Methods orders::gimp() { return on_line<mote::shape::Gimp>("GIMP"); }
