@@ -3,6 +3,7 @@
 #pragma once
 
 #include <mote/verify/states.hpp>
+#include <mote/verify/work.hpp>
 
 namespace mote::verify {
 
@@ -177,59 +178,6 @@ class MaterialChecks {
     return worst.row("no wave is faster than the sound speed");
   }
 
-  /// Work of the stress against elastic energy on paths without flow, straight and closed, of strains of 0.1% or less.
-  ///
-  /// Allowed is the part 4 x (sum of the largest strains) of the work: what a rate form with the energy |s|^2/(4 G)
-  /// leaves (its s : ds/dt and J tr(D) differ by the strain itself), and what half as many steps change.
-  void elastic_energy(Report& report) const {
-    Worst straight, closed;
-    Random random(8);
-    for (int i = 0; i < 16; ++i) {
-      const Matrix b = random.matrix(1), c = random.matrix(1);
-      for (double size = 1e-3; size > 1e-9; size /= 4) {
-        const double angle = 2 * 3.14159265358979323846;
-        const auto ray = [&](double t) { return Matrix::identity() + (t * size) * b; };
-        const auto circle = [&](double t) {
-          return Matrix::identity() + (size * std::sin(angle * t)) * b + (size * (1 - std::cos(angle * t))) * c;
-        };
-        if (travel(subject_, ray, 128).plastic != 0 || travel(subject_, circle, 128).plastic != 0) continue;
-        see_balance(straight, ray, size, text("path ", i, " of strain ", size));
-        see_balance(closed, circle, size, text("path ", i, " of strain ", size));
-        break;
-      }
-    }
-    const auto put = [&](const char* name, const Worst& worst) {
-      report.rows.push_back(worst.saw_nothing() ? only_reported(name, 0, "not checked: it flows at any strain")
-                                                : worst.row(name));
-    };
-    put("work is elastic energy on straight paths", straight);
-    put("work is elastic energy on closed paths", closed);
-  }
-
-  /// On an isochoric path to 5%: the work of the stress is what is stored and what is dissipated.
-  Row flow() const {
-    Worst worst;
-    Random random(9);
-    for (int i = 0; i < 8; ++i) {
-      Matrix b = random.matrix(1);
-      const auto path = [&](double t) {
-        const Matrix f = Matrix::identity() + (0.05 * t) * b;
-        return (1 / std::cbrt(det(f))) * f;
-      };
-      const int steps = 800;
-      const Balance fine = travel(subject_, path, steps), coarse = travel(subject_, path, steps / 2);
-      const double kept = fine.elastic + fine.plastic, step_strain = 0.05 * magnitude(b) / steps;
-      // first order, twice over; yield begins within a step, whose rise of stress times strain is in doubt
-      const double steps_error =
-          2 * (std::abs(fine.work - coarse.work) + std::abs(kept - coarse.elastic - coarse.plastic)) +
-          subject_.c2 * step_strain * step_strain;
-      worst.see(std::abs(fine.work - kept), steps_error + 256 * eps * subject_.c2, [&] {
-        return text("J/kg, path ", i, ": work ", fine.work, ", elastic ", fine.elastic, ", plastic ", fine.plastic);
-      });
-    }
-    return worst.row("work of flow is elastic and plastic");
-  }
-
   /// One increment of eight states against the same with numbers, all fields and all that the solver asks for.
   Row packs() const {
     Worst worst;
@@ -293,15 +241,6 @@ class MaterialChecks {
     }
   }
 
-  template <class Path>
-  void see_balance(Worst& worst, const Path& path, double size, const std::string& where) const {
-    const Balance fine = travel(subject_, path, 128), coarse = travel(subject_, path, 64);
-    const double noise = 256 * eps * 128 * subject_.c2 * size;  // every increment F_new F_old^-1 - I has round-off of 1
-    worst.see(std::abs(fine.work - fine.elastic),
-              4 * 3 * size * fine.largest_work + std::abs(fine.work - coarse.work) + noise,
-              [&] { return text("J/kg, ", where, ": work ", fine.work, ", energy ", fine.elastic); });
-  }
-
   template <class F>
   static void for_each_number(const F& f) {
     Subject<M>::for_each_field([&]<class Tag>(Tag tag) {
@@ -346,8 +285,7 @@ Report material(const M& m) {
   Report report{"material",
                 {checks.objectivity(), checks.rest(), checks.yield(), checks.dissipation(), checks.smoothness(),
                  checks.sound_at_rest(), checks.sound_everywhere()}};
-  checks.elastic_energy(report);
-  report.rows.push_back(checks.flow());
+  detail::WorkChecks<M>(m).append_to(report);
   report.rows.push_back(checks.packs());
   checks.viscosity(report);
   return report;

@@ -126,31 +126,4 @@ struct Subject {
   }
 };
 
-/// Work and energies of a path F(t), 0 <= t <= 1, in steps; J/kg.
-struct Balance {
-  double work = 0;          ///< of the stress
-  double elastic = 0;       ///< gained
-  double plastic = 0;       ///< dissipated
-  double largest_work = 0;  ///< on the way
-};
-template <class M, class F>
-Balance travel(const Subject<M>& subject, const F& gradient, int steps) {
-  auto state = subject.rest();
-  Balance b;
-  const double start = subject.material.elastic_energy(state);
-  Matrix f = gradient(0.0);
-  for (int i = 1; i <= steps; ++i) {
-    const Matrix next = gradient(double(i) / steps), a = next * inverse(f) - Matrix::identity();
-    const auto after = subject.moved(state, a);
-    const double middle = 0.5 * (get<field::VolumeRatio>(state) + get<field::VolumeRatio>(after));
-    b.work += 0.5 * middle / subject.material.rho0() *
-              ddot(subject.stress(state) + subject.stress(after), Kinematics<double>(a).strain);
-    b.largest_work = std::max(b.largest_work, std::abs(b.work));
-    state = after, f = next;
-  }
-  b.elastic = subject.material.elastic_energy(state) - start;
-  b.plastic = subject.flow(state);
-  return b;
-}
-
 }  // namespace mote::verify::detail

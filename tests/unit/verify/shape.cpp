@@ -18,11 +18,11 @@ enum class Fault { none, unity, gradient, linear, slopes, inertia, jump, negativ
 /// Quadratic B-splines with one mistake, and all else consistent with it.
 template <Fault fault>
 struct Faulty : shape::QuadraticBSpline {
-  static constexpr double inertia = fault == Fault::unity                               ? 0.25 * 1.001
-                                    : fault == Fault::inertia                           ? 0.3
-                                    : fault == Fault::jump                              ? 0.25 + 2 * 0.01
+  static constexpr double inertia = fault == Fault::unity                                ? 0.25 * 1.001
+                                    : fault == Fault::inertia                            ? 0.3
+                                    : fault == Fault::jump                               ? 0.25 + 2 * 0.01
                                     : fault == Fault::linear || fault == Fault::negative ? 0
-                                                                                        : 0.25;
+                                                                                         : 0.25;
   template <class T>
   static void values(const T& f, T* w) {
     QuadraticBSpline::values(f, w);
