@@ -41,7 +41,8 @@ enum class Fault {
   energy,
   softer_back,
   half_work,
-  packs
+  packs,
+  nan
 };
 
 /// strength::VonMises with one mistake.
@@ -78,6 +79,7 @@ struct Faulty {
     }
     s = before + rise;
     if (fault == Fault::brittle) return snap(s);
+    if (fault == Fault::nan) s.c[3] = T(std::nan(""));
     auto& eps = get<field::PlasticStrain>(values);
     const auto flow = strength::radial_return(s, eps, shear_modulus, law());
     s = s * (T(1) - T(3 * shear_modulus) * flow.rise / flow.equivalent);
@@ -187,6 +189,9 @@ TEST_CASE("verify::material: each check fails on its own mistake", "[verify]") {
   fails(Fault::softer_back, "work is elastic energy on closed paths");
   fails(Fault::half_work, "work of flow is elastic and plastic");
   fails(Fault::packs, "packs are numbers, lane by lane");
+
+  const auto broken = verify::material(Material{eos_of_aluminium, Faulty{Fault::nan}}).failures();
+  CHECK(broken.size() >= 9);  // what is not a number is nowhere taken for small
 
   const auto viscous = [](bool in_expansion, bool slow) {
     return verify::material(Material{eos_of_aluminium, FaultyViscosity{in_expansion, slow}});
