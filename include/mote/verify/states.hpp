@@ -18,13 +18,6 @@ inline double magnitude(const Matrix& a) {
   for (const double c : a.c) sum += c * c;
   return std::sqrt(sum);
 }
-/// n . s n
-inline double along(const Tensor& s, const Vec<double, 3>& n) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) sum += n[i] * s(i, j) * n[j];
-  return sum;
-}
 /// k n^T
 inline Matrix outer(const Vec<double, 3>& k, const Vec<double, 3>& n) {
   Matrix a{};
@@ -77,6 +70,16 @@ struct Subject {
       return get<field::PlasticWork>(state);
     else
       return 0;
+  }
+
+  /// `after` with the dissipated work, and its heat, of `before`.
+  static State without_heat(State after, const State& before) {
+    if constexpr (M::plastic) {
+      const double work = get<field::PlasticWork>(after) - get<field::PlasticWork>(before);
+      get<field::PlasticWork>(after) -= work;
+      if constexpr (carries<State, field::InternalEnergy>) get<field::InternalEnergy>(after) -= work;
+    }
+    return after;
   }
 
   /// Round-off of a stress: 256 operations of numbers of the size of the stress and of the modulus, since strains are

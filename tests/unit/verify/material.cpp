@@ -170,6 +170,7 @@ TEST_CASE("verify::material passes hot, viscous and complete materials", "[verif
   const strength::VonMises metal{.shear_modulus = G, .yield = Y, .hardening = H};
   const viscosity::VonNeumann viscous{};
   const heat::Conducting conducting{.specific_heat = 880, .conductivity = 237};
+  verdict::passes(verify::material(Material{eos_of_aluminium, warm}));
   verdict::passes(verify::material(Material{eos::ConstantGamma{eos_of_aluminium}, metal, energy::Full{}, conducting}));
   verdict::passes(verify::material(Material{eos_of_aluminium, metal, energy::Full{}, viscous, warm}));
   verdict::passes(verify::material(Material{eos::TensionCutoff{eos_of_aluminium, {.limit = 1.2e9}}, metal, warm}));
