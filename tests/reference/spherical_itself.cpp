@@ -88,7 +88,7 @@ TEST_CASE("the spherical reference comes to rest as Hill's sphere") {
                                          .yield = ideal.yield,
                                          .pressure = 0.25 * load,
                                          .tension = 0.75 * load}};
-    Ball ball{.metal = ideal, .inner = 5e-6, .outer = 20e-6, .shells = 100};
+    Ball ball{.metal = ideal, .inner = 5e-6, .outer = 20e-6, .shells = 60};
     // slow and smooth: an overshoot would leave plastic strain
     const auto ramp = [](double t) { return 0.5 - 0.5 * std::cos(pi * std::min(t / 300e-9, 1.0)); };
     ball.pressure = [&](double t) { return 0.25 * load * ramp(t); };
@@ -98,8 +98,8 @@ TEST_CASE("the spherical reference comes to rest as Hill's sphere") {
     shells.advance(400e-9);
     INFO("part " << part << " plastic to " << hill.plastic_radius());
     CHECK(shells.radius() - 5e-6 == Approx(hill.displacement(5e-6)).epsilon(2e-3));
-    CHECK(shells.radius(100) - 20e-6 == Approx(hill.displacement(20e-6)).epsilon(2e-3));
-    for (std::size_t j = 0; j < shells.size(); j += 11) {
+    CHECK(shells.radius(shells.size()) - 20e-6 == Approx(hill.displacement(20e-6)).epsilon(2e-3));
+    for (std::size_t j = 0; j < shells.size(); j += 7) {
       const double r = 0.5 * (shells.start(j) + shells.start(j + 1));
       CHECK(shells.radial_stress(j) == Approx(hill.radial_stress(r)).margin(3e-3 * load));
       CHECK(1.5 * shells.deviator(j) == Approx(hill.radial_stress(r) - hill.hoop_stress(r)).margin(5e-3 * ideal.yield));
