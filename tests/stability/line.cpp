@@ -1,0 +1,136 @@
+/// \file
+/// What the default (quadratic AffineFlip USL) survives in one dimension, and why linear FLIP with USL does not.
+/// Limits of the other schemes: docs/stability.md.
+#include "line.hpp"
+
+#include "catch.hpp"
+
+namespace {
+
+using namespace stability;
+using LinearFlipUsl = Scheme<shape::Linear, transfer::Flip, update::Usl>;
+using Catch::Matchers::ContainsSubstring;
+
+/// (c0/c)^2: what of the modulus a pure change of volume feels.
+const double bulk = 5350.0 * 5350 / spring.sound_speed2(spring.initial<double, 1>());
+
+}  // namespace
+
+// The last node's mass is w m, its force -sigma V w'/h, so f/m gives it dv = dt sigma/(rho h) w'/w, and the strain that
+// the particle sees of that is dt w' dv/h = courant^2 strain w'^2/w: for hats w'^2/w = 1/w, for quadratic splines 2.
+TEST_CASE("a node with next to no mass strains linear hats without bound and quadratic splines by nothing much",
+          "[stability][surface]") {
+  const int digits = GENERATE(2, 4, 6, 8, 10, 12);
+  const double part = std::pow(10, -digits);
+  const auto linear = let_go<LinearFlipUsl>(part), quadratic = let_go<Default>(part);
+  CAPTURE(part, linear.strain, quadratic.strain, linear.kick, quadratic.kick);
+  CHECK(linear.least_mass == Approx(part).epsilon(1e-3));
+  CHECK(quadratic.least_mass == Approx(part).epsilon(1e-3));
+  CHECK(linear.kick == Approx(bulk / part).epsilon(1e-3));
+  CHECK(-linear.strain == Approx(bulk / part).epsilon(0.05));
+  CHECK(quadratic.kick == Approx(bulk * std::sqrt(2 / part)).epsilon(1e-3));
+  CHECK(std::abs(quadratic.strain) < 2 * bulk + 1);  // the node's 2, and less than 1 of the others
+}
+
+TEST_CASE("a free bar swings quietly wherever its surface lies in a cell, down to nodal masses of 1e-12",
+          "[stability][surface]") {
+  for (int digits = 1; digits <= 12; ++digits) {
+    const double most = swing<Default>(std::pow(10, -digits));
+    CAPTURE(digits, most);
+    CHECK(most < 1.02);
+  }
+}
+
+TEST_CASE("linear FLIP with USL is lost when the surface barely reaches into a cell", "[stability][surface]") {
+  CHECK_FALSE(swing<LinearFlipUsl>(1e-6) < 2);
+}
+
+TEST_CASE("the default's bar: Courant number, drift", "[stability]") {
+  for (const double courant : {0.1, 0.2, 0.4, 0.6}) {
+    CAPTURE(courant);
+    CHECK(vibrate<Default>({.courant = courant}, {20}).most_energy < 1.02);
+    CHECK(vibrate<Default>({.strain = 0.05, .courant = courant}, {20}).most_energy < 1.02);
+  }
+  const auto v = vibrate<Default>({}, {20});
+  CHECK(v.amplitude[0] > 0.9);
+}
+
+TEST_CASE("the default's bar over 1000 periods never gains energy", "[stability][slow]") {
+  const auto v = vibrate<Default>({}, {20, 1000});
+  CHECK_FALSE(v.end.failed());
+  CHECK(v.most_energy < 1.02);
+}
+
+TEST_CASE("1 to 27 particles per cell, and jittered lattices", "[stability]") {
+  for (const int n : {1, 2, 3, 8, 27}) {
+    CAPTURE(n);
+    CHECK(vibrate<Default>({.per_axis = n}, {5}).most_energy < 1.02);
+  }
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    CAPTURE(seed);
+    CHECK(vibrate<Default>({.strain = 0.01, .jitter = 0.5, .seed = seed}, {5}).most_energy < 1.05);
+  }
+}
+
+TEST_CASE("flung at the wall up to 270 GPa", "[stability][violence]") {
+  for (const double speed : {1000.0, 2500.0, 5000.0, 6870.0}) {
+    const auto c = crash<Default>(speed);
+    CAPTURE(speed, c.end.error, c.pressure, c.middle);
+    CHECK_FALSE(c.end.failed());
+    CHECK(c.finite);
+    CHECK(c.middle == Approx(1).epsilon(0.1));
+  }
+}
+
+TEST_CASE("beyond the pole of the equation of state there is a NumericalError, never a number",
+          "[stability][violence]") {
+  const double pole = 1 - 1 / 1.34;
+  for (const double speed : {1e4, 2e4, 5e4, 1e5}) {
+    const auto c = crash<Default>(speed, 0.9);
+    CAPTURE(speed, c.end.error, c.volume.least);
+    if (c.end.failed())
+      CHECK_THAT(c.end.error, ContainsSubstring("particle"));
+    else
+      CHECK((c.finite && c.volume.least > pole));
+  }
+  // a step that leaps over the pole, whatever pressure would have said
+  const auto solver = make_line<Default>(metal, 2);
+  solver->fill(cells(96, 104), metal, {.per_axis = 2, .velocity = [](const Vec<double, 1>& x) {
+                                         return Vec<double, 1>{-1e5 * (x[0] / h - 100)};
+                                       }});
+  CHECK_THROWS_AS(solver->run({.until = 1e-8}), NumericalError);
+  CHECK_THROWS_AS(solver->step(), UsageError);
+}
+
+TEST_CASE("torn from the wall beyond any spall strength", "[stability][violence]") {
+  for (const double speed : {400.0, 1000.0, 5000.0}) {
+    const auto t = tear<Default>(speed);
+    CAPTURE(speed, t.end.error, t.pressure.least, t.pressure.most, t.volume.most);
+    CHECK_FALSE(t.end.failed());
+    CHECK(t.finite);
+  }
+}
+
+TEST_CASE("bodies that collide at 5 km/s", "[stability][violence]") {
+  const auto c = collide<Default>(5000);
+  CAPTURE(c.end.error, c.pressure, c.energy);
+  CHECK_FALSE(c.end.failed());
+  CHECK(c.finite);
+  CHECK(std::abs(c.momentum) < 1e-10);
+}
+
+TEST_CASE("dust pulled to three times its length keeps its volume's account", "[stability]") {
+  const int per_axis = GENERATE(2, 3);
+  const auto s = stretch<Default>(per_axis);
+  CAPTURE(per_axis, s.least, s.most);
+  CHECK(s.least == Approx(1).epsilon(0.01));
+  CHECK(s.most == Approx(1).epsilon(0.01));
+}
+
+TEST_CASE("a single particle flies over 1000 cells", "[stability]") {
+  const auto f = fly_alone<Default>();
+  CHECK_FALSE(f.end.failed());
+  CHECK(f.speed < 1e-9);
+  CHECK(f.volume.least > 0.9);
+  CHECK(f.volume.most < 1.1);
+}
