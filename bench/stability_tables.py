@@ -69,6 +69,14 @@ def several(m, experiment, columns):
     return rows and table(["scheme"] + [c[2] for c in columns], rows)
 
 
+def scenes(m):
+    rows = []
+    for name, scheme in dict.fromkeys((k[0], k[1]) for k in m.value if k[3] == "ended_ns"):
+        columns = [(-1, q) for q in ("ended_ns", "p_min_gpa", "p_max_gpa", "energy_error")]
+        rows.append([name, scheme] + [m.cell(name, scheme, c) for c in columns])
+    return rows and table(["scene", "scheme", "ended, ns", "least P, GPa", "largest P, GPa", "energy error"], rows)
+
+
 def cavity(folders):
     rows = collections.OrderedDict()
     for folder in folders:
@@ -125,6 +133,9 @@ def main():
                                                              ("size", "diameter"))]),
         "fly": several(m, "fly", [(1000, q, n) for q, n in (("kinetic", "kinetic energy"), ("stress_mpa", "largest |P|, MPa"),
                                                             ("size", "width"))]),
+        "surface_release": wide(m, "surface", "release", "1e{:g}"),
+        "crash_viscous": wide(m, "crash_viscous", "pressure"),
+        "scenes": scenes(m),
         "cavity": cavity(o.cavity),
     }
     page = open(o.page).read()

@@ -42,13 +42,15 @@ class Report {
             vibrate<S>({.strain = strain, .courant = 0.1 * i}, {20}).most_energy);
   }
   void drift() const {
+    const std::vector<double> periods{20, 50, 100, 200, 300, 400, 600, 800, 1000};
     for (const double strain : {1e-3, 0.05}) {
-      const auto v = vibrate<S>({.strain = strain}, {20, 1000});
+      const auto v = vibrate<S>({.strain = strain}, periods);
       const char* name = strain < 0.01 ? "drift_small" : "drift_large";
       for (std::size_t i = 0; i < v.energy.size(); ++i) {
-        row(name, i ? 1000 : 20, "energy", v.energy[i]);
-        row(name, i ? 1000 : 20, "amplitude", v.amplitude[i]);
+        row(name, periods[i], "energy", v.energy[i]);
+        row(name, periods[i], "amplitude", v.amplitude[i]);
       }
+      row(name, 0, "most_energy", v.most_energy);
       end(name, 1000, v.end);
     }
   }
@@ -57,6 +59,7 @@ class Report {
       const auto s = let_go<S>(std::pow(10, -e));
       row("surface", -e, "mass", s.least_mass), row("surface", -e, "kick", s.kick);
       row("surface", -e, "strain", s.strain), row("surface", -e, "swing", swing<S>(std::pow(10, -e)));
+      row("surface", -e, "release", release<S>(std::pow(10, -e), 1e-3));
     }
   }
   void particles() const {
@@ -78,6 +81,12 @@ class Report {
       row("crash", v, "pressure", c.pressure), row("crash", v, "middle", c.middle);
       row("crash", v, "finite", c.finite), end("crash", v, c.end);
     }
+    if constexpr (std::is_same_v<S, Default>)
+      for (const double v : {1000.0, 2500.0, 5000.0, 6870.0, 10000.0}) {
+        const auto c = crash<S>(v, 0.4, viscous_metal);
+        row("crash_viscous", v, "pressure", c.pressure), row("crash_viscous", v, "middle", c.middle);
+        row("crash_viscous", v, "finite", c.finite), end("crash_viscous", v, c.end);
+      }
     for (const double v : {400.0, 1000.0, 5000.0}) {
       const auto t = tear<S>(v);
       row("tear", v, "p_min_gpa", 1e-9 * t.pressure.least), row("tear", v, "p_max_gpa", 1e-9 * t.pressure.most);
@@ -90,8 +99,9 @@ class Report {
   }
   void quiet() const {
     for (const int n : {1, 2, 3, 4}) {
-      const auto s = stretch<S>(n);
+      const auto s = stretch<S>(n, true), from_zero = stretch<S>(n, false);
       row("stretch", n, "least", s.least), row("stretch", n, "most", s.most);
+      row("stretch", n, "least_from_zero", from_zero.least), row("stretch", n, "most_from_zero", from_zero.most);
     }
     const auto f = fly_alone<S>();
     row("alone", 1000, "speed", f.speed), row("alone", 1000, "volume_min", f.volume.least);

@@ -30,6 +30,9 @@ inline const Material dust{eos::MieGruneisen{.rho0 = 2700, .c0 = 1, .lambda = 0,
                            strength::VonMises{.shear_modulus = 1, .yield = 1e30, .hardening = 0}};
 using Metal = std::remove_const_t<decltype(metal)>;
 
+/// The metal with a shock viscosity.
+inline const Material viscous_metal{metal.eos, metal.strength, viscosity::VonNeumann{}};
+
 template <class S, class X, class U>
 struct Scheme {
   using Shape = S;
@@ -39,15 +42,15 @@ struct Scheme {
 using Default = Scheme<shape::QuadraticBSpline, transfer::AffineFlip, update::Usl>;
 
 /// A body on a line, and a wall at x = 0. What shall be free lies far from it.
-template <class S>
+template <class S, class M = Metal>
 using Line = decltype(Solver{grid::Cartesian<1>{}, typename S::Shape{}, typename S::Transfer{}, typename S::Update{},
-                             timestep::Cfl{}, boundary::RigidWall{.side = side::x_min}, metal});
+                             timestep::Cfl{}, boundary::RigidWall{.side = side::x_min}, std::declval<M>()});
 
-template <class S>
-std::unique_ptr<Line<S>> make_line(const Metal& material, double courant) {
-  return std::make_unique<Line<S>>(grid::Cartesian<1>{.spacing = h}, typename S::Shape{}, typename S::Transfer{},
-                                   typename S::Update{}, timestep::Cfl{.courant = courant},
-                                   boundary::RigidWall{.side = side::x_min, .at = 0}, material);
+template <class S, class M>
+std::unique_ptr<Line<S, M>> make_line(const M& material, double courant) {
+  return std::make_unique<Line<S, M>>(grid::Cartesian<1>{.spacing = h}, typename S::Shape{}, typename S::Transfer{},
+                                      typename S::Update{}, timestep::Cfl{.courant = courant},
+                                      boundary::RigidWall{.side = side::x_min, .at = 0}, material);
 }
 
 /// From a to b, in cells.
@@ -135,6 +138,10 @@ struct Vibration {
   bool blew_up() const { return end.failed() || !(most_energy < 2); }
 };
 
+/// Largest energy over the first of a bar that swings undamped: stress and velocity are half a step apart, so that
+/// E (1 + omega dt/2 sin(2 omega t)) is what one reads. \param quarter its length over h in quarters of a wave
+inline double ripple(double courant, double quarter = 16) { return 1 + courant * std::numbers::pi / (4 * quarter); }
+
 /// \param periods checkpoints, rising
 template <class S>
 Vibration vibrate(const Bar& bar, const std::vector<double>& periods) {
@@ -218,6 +225,22 @@ Surface let_go(double part) {
   return out;
 }
 
+/// The same, strain `pull`, for five periods. \return the largest energy over the first, inf after a NumericalError
+template <class S>
+double release(double part, double pull, double courant = 0.4) {
+  const auto solver = surface_body<S>(part, courant, Vec<double, 1>{0});
+  for (double& x : solver->particles().template column<field::VolumeRatio>()) x = 1 + pull;
+  solver->refresh();
+  const double first = energy(*solver), c = std::sqrt(spring.sound_speed2(spring.initial<double, 1>()));
+  double most = 0;
+  const auto end = march(*solver, 5 * 16 * h / c, [&] {
+    const double e = energy(*solver) / first;
+    most = e > most || e != e ? e : most;
+    return most < 100;
+  });
+  return end.failed() ? std::numeric_limits<double>::infinity() : most;
+}
+
 /// The same body swings freely, strain 0.01, for five periods. \return the largest energy over the first, inf if lost
 template <class S>
 double swing(double part, double courant = 0.4) {
@@ -246,10 +269,10 @@ struct Crash {
 };
 
 /// 40 cells flung at the wall, until the shock has gone through three quarters of them.
-template <class S>
-Crash crash(double speed, double courant = 0.4) {
-  const auto solver = make_line<S>(metal, courant);
-  solver->fill(cells(0, 40), metal, {.per_axis = 2, .velocity = Vec<double, 1>{-speed}});
+template <class S, class M = Metal>
+Crash crash(double speed, double courant = 0.4, const M& material = metal) {
+  const auto solver = make_line<S>(material, courant);
+  solver->fill(cells(0, 40), material, {.per_axis = 2, .velocity = Vec<double, 1>{-speed}});
   const double shock = 5350 + 1.34 * speed, exact = 2700 * shock * speed;
   Crash out{};
   double most = 0;
@@ -265,7 +288,7 @@ Crash crash(double speed, double courant = 0.4) {
     Values<double, 1, typename std::remove_cvref_t<decltype(p)>::list> v;
     p.load(i, v);
     if (p.template column<field::Id>()[i] < 15 || p.template column<field::Id>()[i] >= 45) continue;
-    sum += get<field::Mass>(v) * metal.pressure(v), mass += get<field::Mass>(v);
+    sum += get<field::Mass>(v) * material.pressure(v), mass += get<field::Mass>(v);
   }
   out.middle = sum / mass / exact;
   out.finite = std::isfinite(energy(*solver)) && std::isfinite(sum);
@@ -322,14 +345,18 @@ Collision collide(double speed) {
 
 // ---- no forces to speak of
 
-/// Dust that flies apart, v = rate x, to three times its length. \return V/V0 over 3, least and most
+/// Dust that flies apart, v = rate x, to three times its length. fill() starts field::Affine at zero; `affine` sets it
+/// to the rate. \return V/V0 over 3, least and most
 template <class S>
-Span stretch(int per_axis) {
+Span stretch(int per_axis, [[maybe_unused]] bool affine, double courant = 0.05) {
   const double rate = 1e9;  // 1/s
-  const auto solver = make_line<S>(dust, 0.4);
+  const auto solver = make_line<S>(dust, courant);
   solver->fill(cells(96, 104), dust, {.per_axis = per_axis, .velocity = [&](const Vec<double, 1>& x) {
                                         return Vec<double, 1>{rate * (x[0] - 100 * h)};
                                       }});
+  if constexpr (S::Transfer::affine)
+    if (affine)
+      for (double& c : solver->particles().template column<field::Affine>()) c = rate;
   const auto end = march(*solver, 2 / rate, [] { return true; });
   Span span = volume_ratios(*solver);
   span.least /= 3, span.most /= 3;

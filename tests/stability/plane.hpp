@@ -52,7 +52,7 @@ double width(const Solver& solver) {
   return span.most - span.least;
 }
 
-/// Runs a filled solver and compares its end with its start. \param period s; 0: does not turn
+/// Runs a filled solver and compares its end with its start.
 template <class Solver>
 Motion watch(Solver& solver, double until) {
   const double k = observe::ledger(solver).kinetic, l = angular_momentum(solver), w = width(solver);
@@ -103,11 +103,11 @@ Motion spin(double turns) {
 
 /// A jittered square of 4 x 4 cells without stress flies over so many cells along x, 0.37 as many along y.
 template <class S>
-Motion fly(double cells) {
+Motion fly(double far) {
   const auto solver = make_plane<S>();
   solver->fill(geometry::Box<2>{.lower = {0, 50 * h}, .upper = {4 * h, 54 * h}}, spring,
                {.per_axis = 2, .velocity = Vec<double, 2>{2000, 740}, .jitter = 0.3, .seed = 1});
-  return watch(*solver, cells * h / 2000);
+  return watch(*solver, far * h / 2000);
 }
 
 }  // namespace stability
