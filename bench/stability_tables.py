@@ -77,6 +77,13 @@ def scenes(m):
     return rows and table(["scene", "scheme", "ended, ns", "least P, GPa", "largest P, GPa", "energy error"], rows)
 
 
+def layers(m):
+    rows = []
+    for k in sorted({k[:3] for k in m.value if k[3] == "layer_mean_gpa" and "100" == k[0][-3:]}, key=lambda k: (k[0], k[1], k[2])):
+        rows.append([k[0], k[1], f"{k[2]:g}"] + [m.cell(*k[:2], (k[2], f"layer_{q}_gpa")) for q in ("mean", "scatter", "max")])
+    return rows and table(["scene", "scheme", "layer's height at the start, um", "mean", "scatter", "largest"], rows)
+
+
 def cavity(folders):
     rows = collections.OrderedDict()
     for folder in folders:
@@ -136,6 +143,7 @@ def main():
         "surface_release": wide(m, "surface", "release", "1e{:g}"),
         "crash_viscous": wide(m, "crash_viscous", "pressure"),
         "scenes": scenes(m),
+        "layers": layers(m),
         "cavity": cavity(o.cavity),
     }
     page = open(o.page).read()

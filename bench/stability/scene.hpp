@@ -48,6 +48,16 @@ class SceneReport {
       most = {};
       return std::isfinite(e.high.pressure);
     });
+    if (block.centre == 10 && block.radius == 5) {
+      const auto under =
+          layers(*solver, block.per_axis, std::size_t(6 / block.spacing), 2.5e-6, 1e-6 * block.half_width);
+      for (std::size_t k = 0; k < under.size(); ++k) {
+        const double z = (double(k) + 0.5) * block.spacing / block.per_axis;
+        row(experiment, z, "layer_mean_gpa", 1e-9 * under[k].mean);
+        row(experiment, z, "layer_scatter_gpa", 1e-9 * under[k].scatter);
+        row(experiment, z, "layer_max_gpa", 1e-9 * under[k].pressure.most);
+      }
+    }
     row(experiment, -1, "ended_ns", 1e9 * end.time), row(experiment, -1, "NumericalError", end.failed());
     row(experiment, -1, "p_min_gpa", 1e-9 * p_min), row(experiment, -1, "p_max_gpa", 1e-9 * p_max);
     row(experiment, -1, "energy_error", observe::energy_error(start, observe::ledger(*solver)));

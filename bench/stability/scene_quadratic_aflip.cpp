@@ -10,8 +10,13 @@ static void scenes() {
 }
 static const Registered registered("scene_quadratic_aflip", &scenes);
 
+/// A block of half the width, so that a refined run is affordable.
 static void refined() {
-  SceneReport<Default>("quadratic AffineFlip USL, 0.5 um").run("paper_1000", {.spacing = 0.5, .speed = 1000}, 12, 1);
+  const SceneReport<Default> coarse("quadratic AffineFlip USL"), fine("quadratic AffineFlip USL at 0.5 um");
+  coarse.run("narrow_100", {.half_width = 10}, 7.2, 0.4);
+  coarse.run("narrow_1000", {.half_width = 10, .speed = 1000}, 12, 0.5);
+  fine.run("narrow_100", {.spacing = 0.5, .half_width = 10}, 7.2, 0.4);
+  fine.run("narrow_1000", {.spacing = 0.5, .half_width = 10, .speed = 1000}, 12, 0.5);
 }
 static const Registered refined_registered("scene_refined", &refined);
 

@@ -81,6 +81,36 @@ Extremes extremes(const Solver& solver, int per_axis) {
   return out;
 }
 
+/// Pressures of a layer of particles on the wall or above it, within `radius` of the axis.
+struct Layer {
+  Span pressure;  ///< Pa
+  double mean = 0, scatter = 0;
+};
+
+/// Layer n: particles that were filled at heights from n to n + 1 particle distances, found by their numbers.
+template <class Solver>
+std::vector<Layer> layers(const Solver& solver, int per_axis, std::size_t count, double radius, double half_width) {
+  std::vector<Layer> out(count);
+  std::vector<double> n(count), squares(count);
+  const auto& p = solver.particles();
+  const auto per_layer = std::size_t(std::lround(std::pow(half_width / solver.spacing() * per_axis, 2)));
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const std::size_t layer = p.template column<field::Id>()[i] / per_layer;
+    const auto x = p.template get<field::Position>(i);
+    if (layer >= count || std::hypot(x[0], x[1]) > radius) continue;
+    Values<double, 3, typename std::remove_cvref_t<decltype(p)>::list> v;
+    p.load(i, v);
+    const double pressure = metal.pressure(v);
+    out[layer].pressure.add(pressure);
+    out[layer].mean += pressure, squares[layer] += pressure * pressure, n[layer] += 1;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    out[k].mean /= n[k];
+    out[k].scatter = std::sqrt(std::max(0.0, squares[k] / n[k] - out[k].mean * out[k].mean));
+  }
+  return out;
+}
+
 /// The node whose velocity the forces of the last step changed most.
 struct Kick {
   double velocity = 0;  ///< change, m/s
