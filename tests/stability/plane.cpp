@@ -1,0 +1,38 @@
+/// \file
+/// What the default survives in two dimensions: spin and oblique flight.
+#include "plane.hpp"
+
+#include "catch.hpp"
+
+using namespace stability;
+
+TEST_CASE("a disc spins five turns", "[stability][spin]") {
+  const auto m = spin<Default>(5);
+  CAPTURE(m.kinetic, m.angular_momentum, m.size, m.turns);
+  CHECK_FALSE(m.end.failed());
+  CHECK(m.kinetic == Approx(1).epsilon(0.05));
+  CHECK(m.angular_momentum == Approx(1).epsilon(0.05));
+  CHECK(m.turns == Approx(5).epsilon(0.05));
+}
+
+TEST_CASE("a disc spins 100 turns", "[stability][spin][slow]") {
+  const auto m = spin<Default>(100);
+  CAPTURE(m.kinetic, m.angular_momentum, m.size, m.turns);
+  CHECK_FALSE(m.end.failed());
+  CHECK(m.kinetic <= 1.001);
+}
+
+TEST_CASE("a jittered square flies obliquely over many cells and stays as it was", "[stability][flight]") {
+  const auto m = fly<Default>(100);
+  CHECK_FALSE(m.end.failed());
+  CHECK(m.kinetic == Approx(1).epsilon(1e-12));
+  CHECK(m.size == Approx(1).epsilon(1e-9));
+  CHECK(m.stress < 1e3);  // Pa
+}
+
+TEST_CASE("a jittered square flies obliquely over 1000 cells", "[stability][flight][slow]") {
+  const auto m = fly<Default>(1000);
+  CHECK_FALSE(m.end.failed());
+  CHECK(m.kinetic == Approx(1).epsilon(1e-11));
+  CHECK(m.stress < 1e4);
+}
