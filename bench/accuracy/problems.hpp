@@ -117,7 +117,6 @@ Row bar(const Shape& shape, const Transfer& transfer, const Update& update, int 
     p.template column<field::VolumeRatio>()[i] = stretch;
     p.template column<field::LeftCauchyGreen>(0)[i] = stretch * stretch;
     if constexpr (mote::sized<Shape>) p.template column<field::HalfSize>()[i] *= stretch;
-    if constexpr (Transfer::affine) p.template column<field::Affine>()[i] = 0;  // at rest
   }
   solver.refresh();
   StepClock clock;
