@@ -1,0 +1,4 @@
+#include "families.hpp"
+#include "problems.hpp"
+
+void accuracy::cubic_plain(const Wanted& wanted) { plain<shape::CubicBSpline>(wanted, "cubic"); }

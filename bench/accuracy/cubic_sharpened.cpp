@@ -1,0 +1,4 @@
+#include "families.hpp"
+#include "problems.hpp"
+
+void accuracy::cubic_sharpened(const Wanted& wanted) { sharpened<shape::CubicBSpline>(wanted, "cubic"); }

@@ -1,0 +1,4 @@
+#include "families.hpp"
+#include "problems.hpp"
+
+void accuracy::quadratic_affine(const Wanted& wanted) { affine<shape::QuadraticBSpline>(wanted, "quadratic"); }

@@ -1,0 +1,4 @@
+#include "families.hpp"
+#include "problems.hpp"
+
+void accuracy::quadratic_plain(const Wanted& wanted) { plain<shape::QuadraticBSpline>(wanted, "quadratic"); }
