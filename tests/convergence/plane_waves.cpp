@@ -105,7 +105,7 @@ void print_rows(const Scheme& scheme) {
     }
 }
 
-// mote_tests "[table]" prints the table of docs/verification.md
+// mote_studies "[table]" prints the table of docs/verification.md
 TEST_CASE("plane waves: table of errors", "[.][table]") {
   std::printf("| scheme | launch, m/s | h, um | sigma | P | elastic front | plastic front | s | eps_p | L1 of v |\n");
   std::printf("|---|---|---|---|---|---|---|---|---|---|\n");

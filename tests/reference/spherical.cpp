@@ -116,8 +116,8 @@ TEST_CASE("the cavity in a ball grows as the spherical reference has it") {
   CHECK(fine.mean < 0.75 * coarse.mean);
 }
 
-// Prints what docs/verification.md and docs/pictures/spherical_reference.py show:
-//   mote_tests "[spherical-table]" | grep -E '^[0-9.]+,' > spherical.csv
+// Prints what docs/verification.md and tests/reference/plot_spherical.py show:
+//   mote_studies "[spherical-table]" | grep -E '^[0-9.]+,' > spherical.csv
 TEST_CASE("the cavity in a ball converges to the spherical reference", "[slow][spherical-table]") {
   reference::Shells exact = shells();
   for (int i = 0; i <= 10 * samples; ++i) {

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """The cavity in a ball: the library in three dimensions beside the spherical reference solver.
 
-    mote_tests "[spherical-table]" | grep -E '^[0-9.]+,' > spherical.csv
-    /usr/bin/python3 docs/pictures/spherical_reference.py spherical.csv docs/pictures/spherical_reference.png
+    mote_studies "[spherical-table]" | grep -E '^[0-9.]+,' > spherical.csv
+    /usr/bin/python3 tests/reference/plot_spherical.py spherical.csv docs/pictures/spherical_reference.png
 
 Rows: h (um; 0: the reference alone), time (ns), radius of the cavity, radius in the reference (um).
 """
