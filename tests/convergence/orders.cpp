@@ -90,9 +90,9 @@ int coarsest(Problem problem) {
     case Problem::free_amid:
       return 32;
     case Problem::axis_aligned:
+    case Problem::vortex_mild:
       return 8;
     case Problem::vortex:
-    case Problem::vortex_mild:
     case Problem::vortex_small:
       return 6;
     default:
