@@ -34,12 +34,12 @@ def draw(runs, path):
         label = f"mote, three dimensions, h = {h:g} µm"
         radius.plot(times, [a for _, a, _ in rows], marker, color=colour, ms=4.5, mfc="none", label=label)
         error.plot(times, [100 * (a / b - 1) for _, a, b in rows], marker + "-", color=colour, ms=4.5, lw=1, label=label)
-    radius.set(xlabel="time, ns", ylabel="radius of the cavity, µm", xlim=(0, 10), title="The cavity is torn open twice")
+    radius.set(xlabel="time, ns", ylabel="radius of the cavity, µm", xlim=(0, 10), title="The cavity is torn open, and again by the echo")
     radius.legend(frameon=False, loc="lower right", fontsize=9)
     error.axhspan(-1, 1, color="0.9", zorder=0)
     error.axhline(0, color="black", lw=0.8)
     error.text(0.15, 0.8, "within 1%", fontsize=9, color="0.35")
-    error.set(xlabel="time, ns", ylabel="radius against the reference, %", xlim=(0, 10), title="and the two come together")
+    error.set(xlabel="time, ns", ylabel="radius against the reference, %", xlim=(0, 10), title="The error falls with the mesh")
     error.legend(frameon=False, loc="lower left", fontsize=9)
     figure.savefig(path, dpi=110)
 
