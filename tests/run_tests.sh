@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Builds everything with g++, and all but benchmarks and studies with clang++-16, warnings as errors; runs the tests of both.
+# Builds the library's tests, studies and examples with g++, and tests and small examples with clang++-16, warnings as
+# errors; runs the tests of both.
 #
 #   tests/run_tests.sh [--gcc-only] [--label LABEL] [ctest arguments...]
 #
 #   --gcc-only      leave clang out
-#   --label LABEL   run the tests of this label only; without it, all but those of the label slow
+#   --label LABEL   run the tests of this label only, and build the slow ones and the benchmarks too; without it, all but
+#                   those of the label slow
 #
 # Installs what is missing with apt. The last line is "N passed, N failed" over both compilers; a build that fails counts
 # as one failure. Exit code: 0 all passed, 1 something failed, 2 packages are missing.
@@ -15,10 +17,11 @@ presets=(gcc-release clang-release)
 packages=(g++ cmake ninja-build libeigen3-dev catch2 librapidcheck-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
           clang-16)
 selection=(-LE '^slow$')
+slow=OFF
 while [ $# -gt 0 ]; do
   case $1 in
     --gcc-only) presets=(gcc-release); unset 'packages[-1]' ;;
-    --label) selection=(-L "^${2:?--label needs a label}\$"); shift ;;
+    --label) selection=(-L "^${2:?--label needs a label}\$"); slow=ON; shift ;;
     -h | --help) sed -n '2,/^set/{/^#/p}' "${BASH_SOURCE[0]}"; exit 0 ;;
     *) break ;;
   esac
@@ -63,11 +66,11 @@ run() {
   local preset=$1 log=build/$1/ctest.log
   shift
   echo "== $preset: building"
-  # benchmarks and studies take minutes to build; they measure schemes, not compilers
+  # studies and the cavity program take minutes to build; they say more of the schemes than of the compiler
   local measure=OFF
   [ "$preset" = gcc-release ] && measure=ON
-  if ! cmake --preset "$preset" -DMOTE_BUILD_BENCHMARKS=$measure -DMOTE_BUILD_STUDIES=$measure \
-    >build/configure.log 2>&1; then
+  if ! cmake --preset "$preset" -DMOTE_BUILD_BENCHMARKS=$slow -DMOTE_BUILD_SLOW_STUDIES=$slow \
+    -DMOTE_BUILD_STUDIES=$measure -DMOTE_BUILD_CAVITY=$measure >build/configure.log 2>&1; then
     cat build/configure.log
     failed=$((failed + 1))
     return

@@ -207,7 +207,7 @@ TEST_CASE("orders: bar of small amplitude, quadratic and cubic with USF: error u
 
 // Prints the tables of docs/verification.md, which tests/convergence/plot_orders.py draws:
 //
-//     mote_studies "orders: tables" > orders.md && tests/convergence/plot_orders.py orders.md
+//     mote_slow_studies "orders: tables" > orders.md && tests/convergence/plot_orders.py orders.md
 TEST_CASE("orders: tables", "[.][slow][table][orders]") {
   print(line(), {Problem::bar_large, Problem::bar_small, Problem::wall, Problem::free_end, Problem::free_amid,
                  Problem::vibration});

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws docs/pictures/orders.png from the markdown that `mote_studies "orders: tables"` prints (its first argument)."""
+"""Draws docs/pictures/orders.png from the markdown that `mote_slow_studies "orders: tables"` prints (its first argument)."""
 
 import pathlib
 import sys
