@@ -85,6 +85,7 @@
 #include <mote/passes/conduction.hpp>
 #include <mote/passes/gather.hpp>
 #include <mote/passes/grid_update.hpp>
+#include <mote/passes/half_sizes.hpp>
 #include <mote/passes/images.hpp>
 #include <mote/passes/messages.hpp>
 #include <mote/passes/neighbours.hpp>

@@ -125,7 +125,7 @@ runs() {
   good solid --radius 0
   for scheme in "linear flip usl" "linear flip musl" "linear apic musl" "quadratic flip musl" "quadratic apic usl" \
     "gimp flip usl" "gimp flip musl" "cpgimp flip usl" "cpgimp flip musl" \
-    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl" "linear aflip musl" \
+    "cubic flip usl" "cubic flip musl" "cubic apic usl" "cubic apic musl" \
     "quadratic aflip usl" "quadratic aflip musl" "cubic aflip usl" "linear flip usf" "quadratic flip usf" \
     "quadratic apic usf" "linear xpic musl" "quadratic xpic usl" "quadratic xpic usf" "quadratic fmpm usl"; do
     read -r shape transfer update <<<"$scheme"

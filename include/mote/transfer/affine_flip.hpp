@@ -17,6 +17,7 @@ namespace mote::transfer {
 /// loses it in every step, the gradient at a curved surface above all. On the paper's mesh the cavity so grows as on a
 /// fine one (docs/accuracy.md). Blends just below one damp what the grid does not see, within 1/(1 - blend) steps.
 ///
+/// Not for linear hats at free surfaces, whose gradient feeds the noise of tiny nodes back (update/musl.hpp).
 /// Conserves linear momentum; angular momentum not exactly, since C is the gradient. Needs field::Affine.
 /// Source: Fei, Guo, Wu, Huang, Gao, ACM Trans. Graph. 40 (2021) 109 (increments beside an affine field); Nakamura,
 /// Matsumura, Mizutani, CMAME 403 (2023) 115720 (the gradient as the affine field). The increment of C is our own.

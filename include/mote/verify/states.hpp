@@ -123,7 +123,8 @@ struct Subject {
     worst.see(magnitude(found - expected), noise(expected), [&] { return "Pa, stress, " + where; });
     for_each_field([&]<class Tag>(Tag) {
       if constexpr (std::is_same_v<typename Tag::shape, shape_of::Scalar>)
-        worst.see(std::abs(get<Tag>(b) - get<Tag>(a)), 256 * eps * scale<Tag>(get<Tag>(a)),
+        // the mid-point inverse of a turn by 2.1 rad has a condition of 2, and turns both sides of a tensor: 4 times 256
+        worst.see(std::abs(get<Tag>(b) - get<Tag>(a)), 1024 * eps * scale<Tag>(get<Tag>(a)),
                   [&] { return text(Tag::unit, ", ", Tag::name, ", ", where); });
     });
   }

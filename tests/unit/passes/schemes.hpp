@@ -32,7 +32,7 @@ using QuadraticFlipUsl = Scheme<shape::QuadraticBSpline, transfer::Flip, update:
 using QuadraticFlipMusl = Scheme<shape::QuadraticBSpline, transfer::Flip, update::Musl>;
 using QuadraticApicUsl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Usl>;
 using QuadraticApicMusl = Scheme<shape::QuadraticBSpline, transfer::Apic, update::Musl>;
-using LinearAffineFlipMusl = Scheme<shape::Linear, transfer::AffineFlip, update::Musl>;
+using QuadraticAffineFlipMusl = Scheme<shape::QuadraticBSpline, transfer::AffineFlip, update::Musl>;
 using QuadraticAffineFlipUsl = Scheme<shape::QuadraticBSpline, transfer::AffineFlip, update::Usl>;
 using CubicAffineFlipMusl = Scheme<shape::CubicBSpline, transfer::AffineFlip, update::Musl>;
 using CubicFlipUsl = Scheme<shape::CubicBSpline, transfer::Flip, update::Usl>;
@@ -64,7 +64,7 @@ typename Scheme::Transfer transfer_of(double blend) {
       schemes::ContiguousGimpApicUsl
 
 #define MOTE_TEST_AFFINE_FLIP_SCHEMES \
-  schemes::LinearAffineFlipMusl, schemes::QuadraticAffineFlipUsl, schemes::CubicAffineFlipMusl
+  schemes::QuadraticAffineFlipMusl, schemes::QuadraticAffineFlipUsl, schemes::CubicAffineFlipMusl
 #define MOTE_TEST_SCHEMES                                                                                 \
   MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES, MOTE_TEST_GIMP_SCHEMES, \
       MOTE_TEST_AFFINE_FLIP_SCHEMES
