@@ -9,8 +9,8 @@ namespace mote::transfer {
 
 /// FLIP for the velocity and for its gradient:
 ///
-///   v_p <- sum w v + blend (v_p + sum w dv - sum w v),   C_p <- L + affine_blend (C_p + dL - L),   L = sum v (x) grad
-///   w,
+///   v_p <- sum w v + blend (v_p + sum w dv - sum w v),
+///   C_p <- L + affine_blend (C_p + dL - L),   L = sum v (x) grad w,
 ///
 /// and a particle brings v + C (x_i - x_p) to its nodes. The affine part continues the velocity with its slope to nodes
 /// beyond a free surface, where FLIP alone brings a mean; the increments keep what a kernel smooths away, where APIC
