@@ -50,7 +50,7 @@ TEST_CASE("constant gamma: with the paper's closure a material cools as T0 x^-ga
   CHECK(get<field::Temperature>(state) == Approx(300 * std::pow(x, -1.96)).epsilon(1e-7));
 }
 
-TEST_CASE("constant gamma: packs and single precision; equal numbers are equal materials") {
+TEST_CASE("constant gamma: packs and single precision, equal numbers are equal materials") {
   const Pack<double> x([](int i) { return all_x[i]; });
   const auto p = other.pressure(x, Pack<double>(1e5)), c2 = other.bulk_sound_speed2(x, Pack<double>(1e5));
   for (int i = 0; i < lanes; ++i) {

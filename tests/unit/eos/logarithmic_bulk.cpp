@@ -26,7 +26,7 @@ TEST_CASE("logarithmic bulk: sound speed and energy against differences") {
   CHECK(rubber.bulk_sound_speed2(std::exp(1.0), 0.0) == Approx(0).margin(1e-6));
 }
 
-TEST_CASE("logarithmic bulk: no modulus, no pressure; impossible numbers are refused") {
+TEST_CASE("logarithmic bulk: no modulus, no pressure, impossible numbers are refused") {
   const eos::LogarithmicBulk none{.rho0 = 1};
   CHECK_NOTHROW(none.validate());
   CHECK(none.pressure(0.5, 0.0) == 0);

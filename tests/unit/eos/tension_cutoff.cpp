@@ -60,7 +60,7 @@ TEST_CASE("tension cut-off: sound runs as in the state that opened, and void nei
   CHECK(get<field::Temperature>(state) == Approx(300 * std::exp(-1.96 * (opens - 1))).epsilon(2e-3));
 }
 
-TEST_CASE("tension cut-off: on any law; packs and single precision") {
+TEST_CASE("tension cut-off: on any law, packs and single precision") {
   const eos::TensionCutoff other{eos::ConstantGamma{aluminium}, {.limit = limit}};
   CHECK(other.opens_at == Approx(opens).epsilon(1e-14));
   CHECK(other.pressure(0.9, 1e5) == eos::ConstantGamma{aluminium}.pressure(0.9, 1e5));

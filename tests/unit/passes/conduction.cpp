@@ -211,7 +211,7 @@ TEST_CASE("conduction: one round against a plain textbook, beside planes, a free
   compare_with_textbook<shape::QuadraticBSpline, boundary::RigidWall, 3>();
 }
 
-TEMPLATE_TEST_CASE("conduction: a mode decays with exp(-alpha k^2 t), to order 2; periodic, between walls, free",
+TEMPLATE_TEST_CASE("conduction: a mode decays with exp(-alpha k^2 t), to order 2, periodic, between walls, free",
                    "[conduction]", shape::Linear, shape::QuadraticBSpline, shape::CubicBSpline) {
   check_order_one_dimension<TestType>();
 }

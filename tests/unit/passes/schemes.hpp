@@ -47,7 +47,9 @@ using ContiguousGimpApicUsl = Scheme<shape::ContiguousGimp, transfer::Apic, upda
 
 template <class Scheme>
 typename Scheme::Transfer transfer_of(double blend) {
-  if constexpr (Scheme::flip || Scheme::affine_flip)
+  if constexpr (Scheme::affine_flip)
+    return {.blend = blend, .affine_blend = 0.9};
+  else if constexpr (Scheme::flip)
     return {.blend = blend};
   else
     return {};

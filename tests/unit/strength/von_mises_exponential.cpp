@@ -111,7 +111,7 @@ TEST_CASE("exponential map: with isotropic hardening, cutting an increment in ha
   }
 }
 
-TEST_CASE("exponential map: without back stress both policies are one; on a radial path radial return too") {
+TEST_CASE("exponential map: without back stress both policies are one, on a radial path radial return too") {
   Random random;
   const VonMisesMixedExponential same{.shear_modulus = 25.94e9, .yield = 120e6, .hardening = 384e6};
   State<double> one = rest(), other = rest();
