@@ -67,7 +67,7 @@ TEST_CASE("viscosity: its work is that of the mean of old and new q") {
 }
 
 TEST_CASE(
-    "viscosity: a material without it stores nothing and needs no step; with it, pressure and sound are the same") {
+    "viscosity: a material without it stores nothing and needs no step, and with it, pressure and sound are the same") {
   const Material inviscid{hugoniot};
   CHECK(std::is_same_v<decltype(inviscid)::particle_fields, fields<field::VolumeRatio>>);
   CHECK_FALSE(decltype(inviscid)::viscous);
