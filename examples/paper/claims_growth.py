@@ -1,0 +1,185 @@
+"""Claims about the cavity's growth and shape."""
+
+import functools
+
+import numpy as np
+
+import catalogue
+import curves
+import measures
+import shapes
+from rows import ARTEFACT, HOLDS, NOT, QUALITATIVE, Row, converged, number, spread, with_bar
+
+VOLUME, WIDTH, HEIGHT = "cavity_volume_um3", "cavity_width_um", "cavity_height_um"
+
+
+def stages(run, count=5):
+    """Ends (ns), slopes and rms of the best `count` straight pieces of the volume; rms of 1 to 7 pieces."""
+    t, v = run.history["time_ns"], run.history[VOLUME]
+    good = np.isfinite(v)
+    t, v = t[good], v[good]
+    starts, slopes, _ = measures.segments(t, v, count)
+    return [t[s] for s in starts[1:]], slopes, [measures.segments(t, v, k)[2] for k in range(1, 8)]
+
+
+def five_stages(runs):
+    said = []
+    for run in runs.sides():
+        ends, slopes, _ = stages(run)
+        said.append("bounds " + ", ".join(f"{e:.1f}" for e in ends) + " ns; rates " + ", ".join(f"{s:.0f}" for s in slopes) +
+                    " µm³/ns")
+    rms = [stages(run)[2] for run in runs.sides()]
+    gain = [a / b for a, b in zip(rms[1], rms[1][1:])]
+    distinct = int(np.argmax(gain)) + 2
+    fit = "rms of 1 to 7 pieces: " + ", ".join(f"{r:.1f}" for r in rms[1]) + " µm³"
+    return Row("The cavity grows in stages (five)",
+               "best division of V(t) to 15 ns into five straight pieces; whether five is a special number shows in how much "
+               "each further piece improves the fit", "five stages", said[0], f"{said[1]}; {fit}",
+               HOLDS if distinct == 5 else
+               f"{QUALITATIVE}: the rate changes as said, but five is no special number (the fit gains most from piece {distinct})")
+
+
+def linearity(run, column, stage=curves.LINEAR_STAGE):
+    """1 - R^2 of a straight line over the linear stage."""
+    t, y = run.history["time_ns"], run.history[column]
+    use = (t >= stage[0] - 1e-6) & (t <= stage[1] + 1e-6)
+    return 1 - float(np.corrcoef(t[use], y[use])[0, 1] ** 2)
+
+
+def linear_stage(runs):
+    def words(run):
+        parts = []
+        for column, name in ((VOLUME, "volume"), (WIDTH, "width"), (HEIGHT, "height")):
+            early, late = (curves.growth_rate(run, column, s) for s in ((3, 4), (6, 7)))
+            parts.append(f"{name}: R² = {1 - linearity(run, column):.4f}, rate from {early:.3g} to {late:.3g}")
+        return "; ".join(parts)
+
+    change = [curves.growth_rate(runs.finest(), VOLUME, s) for s in ((3, 4), (6, 7))]
+    steady = abs(change[1] / change[0] - 1)
+    return Row("After a slow start, volume and extents grow linearly until the wave reaches the free surface",
+               f"straight line from {curves.LINEAR_STAGE[0]:g} to {curves.LINEAR_STAGE[1]:g} ns; slopes (µm³/ns, µm/ns) over 3 to "
+               "4 and 6 to 7 ns", "linear", words(runs.paper()), words(runs.finest()),
+               HOLDS if steady < 0.1 else f"{QUALITATIVE}: the volume's rate changes by {100 * steady:.0f}%")
+
+
+def overtakes(run):
+    """When the width's rate is above the height's for good (to 7 ns), and when width is above height for good, ns."""
+    t, w, h = (run.history[c] for c in ("time_ns", WIDTH, HEIGHT))
+    window = 10  # samples: 1 ns
+    times = t[window // 2:len(t) - window // 2]
+    rate = (w - h)[window:] - (w - h)[:-window]
+    slow = times[(rate <= 0) & (times <= 7)]
+    narrow = t[(w <= h) & (t <= 7)]
+    return (float(slow[-1]) if slow.size else 0.0), (float(narrow[-1]) if narrow.size else 0.0)
+
+
+def horizontal(runs):
+    def rates(run):
+        return [curves.growth_rate(run, c) for c in (WIDTH, HEIGHT)]
+
+    def words(run):
+        faster, wider = overtakes(run)
+        w, h = rates(run)
+        return f"{w:.2f} against {h:.2f} µm/ns; faster from {faster:.1f} ns on, wider than high from {wider:.1f} ns on"
+
+    ratio, bar, _ = converged(runs, lambda run: rates(run)[0] / rates(run)[1])
+    return Row("Across the launch it grows faster than along it",
+               "slopes of width and height from 3 to 7 ns; from when on, to 7 ns (rates over 1 ns)", "faster", words(runs.paper()),
+               f"{words(runs.finest())}; ratio {with_bar(ratio, bar, 2)}", HOLDS if ratio - bar > 1 else NOT)
+
+
+def rate_law(runs):
+    speeds = catalogue.SPEEDS
+
+    def words(values):
+        found = measures.fits(speeds, values)
+        line, power = found["linear"], found["power law"]
+        return (f"{line[0][1]:.3f} v {line[0][0]:+.1f} µm³/ns, rms {100 * line[1] / np.mean(values):.1f}% of the mean; power law "
+                f"v^{power[0][1]:.3f}, AIC {power[2] - line[2]:+.0f} against it"), line[1] / np.mean(values), power[0][1]
+
+    scheme = words([curves.growth_rate(runs.paper(s)) for s in speeds])
+    ours = words([curves.converged(runs, s, curves.growth_rate)[0] for s in speeds])
+    return Row("The growth rate of the volume is linear in the launch speed",
+               f"slope of V from 3 to 7 ns at {len(speeds)} speeds, {speeds[0]} to {speeds[-1]} m/s; straight line against "
+               "power law", "linear", scheme[0], ours[0],
+               HOLDS if ours[1] < 0.03 else f"{QUALITATIVE}: nearly" if ours[1] < 0.1 else NOT)
+
+
+@functools.lru_cache(maxsize=None)
+def surface(run, time):
+    return shapes.Surface(run.grid(time), run.config["centre_z_um"])
+
+
+def flatness(run, time, upper=False):
+    return surface(run, time).flatness(upper)
+
+
+def flat_face(runs):
+    def words(run):
+        return "lower " + ", ".join(f"{flatness(run, t):.2f}" for t in (0, 7.2, 12, 15)) + "; upper " + ", ".join(
+            f"{flatness(run, t, True):.2f}" for t in (0, 7.2, 12, 15))
+
+    value, bar, values = converged(runs, lambda run: flatness(run, 12))
+    upper = converged(runs, lambda run: flatness(run, 12, True))[0]
+    flat, flatter = abs(value) < 0.35, value + bar < upper
+    return Row("The lower face of the cavity becomes flat",
+               "flatness number: sagitta of the face over 0.6 of the half width, over a sphere's (1 round, 0 flat, below 0 "
+               "bulging in), at 0, 7.2, 12, 15 ns", "flat", words(runs.paper()),
+               f"{words(runs.finest())}; lower at 12 ns {with_bar(value, bar, 2)}",
+               HOLDS if flat and flatter else QUALITATIVE + ": flatter than the upper one" if flatter else NOT)
+
+
+def roughness(run):
+    return 100 * surface(run, 12).roughness()
+
+
+def irregular(runs):
+    meshes = runs.set.fields
+    ours = [roughness(runs.default(h)) for h in meshes]
+    jitter, around = spread(runs, roughness)
+    jitter_ours, around_ours = spread(runs, roughness, "default")
+    other = runs["paper_other_mesh"]
+    scheme = (f"{roughness(runs.paper()):.2f}% with whole particles, {roughness(runs['paper_fraction']):.2f}% with particles cut "
+              f"at the surface, {jitter:.2f} ± {around:.2f}% on jittered lattices, {roughness(other):.2f}% on "
+              f"{other.config['spacing_um']:g} µm")
+    default = (", ".join(f"{r:.2f}% on {h:g} µm" for h, r in zip(meshes, ours)) +
+               f"; on {meshes[0]:g} µm {roughness(runs['default_lattice']):.2f}% with whole particles, {jitter_ours:.2f} ± "
+               f"{around_ours:.2f}% jittered")
+    persists = ours[-1] > 0.7 * roughness(runs.paper())
+    return Row("The deformed cavity is irregular, because of an instability of Richtmyer and Meshkov's kind",
+               "roughness at 12 ns: rms of the surface's radius beyond spherical harmonics of degree 6, over its mean; an "
+               "instability of the metal would persist on finer meshes, and care little for the way of filling", "irregular",
+               scheme, default, HOLDS if persists else f"{ARTEFACT}: the converged surface is smooth")
+
+
+def conduction(runs):
+    def words(with_heat, without, end=12):
+        parts = [(name, with_heat.at(end, c) / without.at(end, c) - 1) for c, name in
+                 ((VOLUME, "volume"), ("vz_high_m_s", "v_z high"), ("vz_low_m_s", "v_z low"))]
+        rise = [run.at(end, "t_max_k") for run in (with_heat, without)]
+        return ", ".join(f"{name} {100 * x:+.2f}%" for name, x in parts) + f"; hottest particle {rise[0]:.1f} K instead of {rise[1]:.1f} K"
+
+    ours = runs["default_conduction"]
+    h = ours.config["spacing_um"]
+    change = abs(ours.at(12, VOLUME) / runs.default(h).at(12, VOLUME) - 1)
+    return Row("Heat conduction is much slower than the motion", "237 W/(m K) against none, at 12 ns", "negligible",
+               words(runs["paper_conduction"], runs.paper()), f"{words(ours, runs.default(h))} (on {h:g} µm)",
+               HOLDS if change < 0.002 else NOT)
+
+
+def volumes(runs):
+    """The cavity's volume at three times: no claim of the paper, but what the others rest on."""
+    lines = ["| launch, m/s | time, ns | paper's scheme | default scheme by mesh | converged |", "|---|---|---|---|---|"]
+    for speed in curves.SHOWN:
+        for time in (3, 7.2, 12):
+            def volume(run, t=time):
+                return run.at(t, VOLUME)
+            value, bar, values = converged(runs, volume, speed)
+            by_mesh = ", ".join(f"{number(v)} ({h:g} µm)" for h, v in zip(runs.mesh_sequence(speed), values))
+            lines.append(f"| {speed} | {time:g} | {number(runs.paper(speed).at(time, VOLUME))} | {by_mesh} | {with_bar(value, bar)} |")
+    return lines
+
+
+def rows(runs):
+    return [five_stages(runs), linear_stage(runs), horizontal(runs), rate_law(runs), flat_face(runs), irregular(runs),
+            conduction(runs)]
