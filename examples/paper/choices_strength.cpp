@@ -20,7 +20,7 @@ struct MisprintedTheta {
 
   template <class V, class T>
   T update(V& values, const mote::Kinematics<T>& k) const {
-    using std::cosh, std::log, std::pow, std::sinh, std::sqrt, std::max;
+    using std::exp, std::max, std::pow, std::sqrt;
     auto& s = mote::get<mote::field::DeviatoricStress>(values);
     auto& eps = mote::get<mote::field::PlasticStrain>(values);
     const double h = 2.0 / 3 * hardening, stiffness = 2 * shear_modulus + h;
@@ -34,8 +34,8 @@ struct MisprintedTheta {
     const T size = max(sqrt(mote::ddot(rest, rest)), T(1e-30));
     const auto n0 = contact * (T(1) / max(sqrt(mote::ddot(contact, contact)), T(1e-30))), e = rest * (T(1) / size);
     const T c = max(mote::ddot(n0, e), T(0)), theta = T(factor) * size / radius;
-    const T big = cosh(theta), small = sinh(theta), x = big + small * c;
-    const T end = radius * pow(x, T(h / stiffness));  // the radius grows by X0^((2/3) H_iso/k)
+    const T up = exp(theta), big = T(0.5) * (up + T(1) / up), small = up - big, x = big + small * c;  // cosh and sinh
+    const T end = radius * pow(x, mote::Scalar<T>(h / stiffness));  // the radius grows by X0^((2/3) H_iso/k)
     const T rise = T(std::sqrt(2.0 / 3) / std::max(h, 1e-30)) * (end - radius);
     const auto flowed = (n0 + ((big - T(1)) * c + small) * e) * (end / x);
     for (int i = 0; i < 6; ++i) s.c[i] = mote::select(elastic, trial.c[i], flowed.c[i]);

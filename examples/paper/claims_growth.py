@@ -123,8 +123,8 @@ def flat_face(runs):
     upper = converged(runs, lambda run: flatness(run, 12, True))[0]
     flat, flatter = abs(value) < 0.35, value + bar < upper
     return Row("The lower face of the cavity becomes flat",
-               "flatness number: sagitta of the face over 0.6 of the half width, over a sphere's (1 round, 0 flat, below 0 "
-               "bulging in), at 0, 7.2, 12, 15 ns", "flat", words(runs.paper()),
+               "flatness number: sagitta of the face out to 0.65 of the half width, over a sphere's (1 round, 0 flat, negative: "
+               "bulging inwards), at 0, 7.2, 12, 15 ns", "flat", words(runs.paper()),
                f"{words(runs.finest())}; lower at 12 ns {with_bar(value, bar, 2)}",
                HOLDS if flat and flatter else QUALITATIVE + ": flatter than the upper one" if flatter else NOT)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs what reproduces the paper, then draws its figures and tests its claims; examples/reproduce_paper.sh calls it.
 
-driver.py --programs DIR --out DIR [--coarse] [--figures-only] [--jobs N] [--runs-only]
+driver.py --programs DIR --out DIR [--coarse] [--figures-only] [--jobs N] [--runs-only] [--only WORD]
 
 A run whose summary.json is there and whose configuration is the wanted one is kept; any other is made anew, also one that
 was interrupted. Exit codes: 0 done, 1 something failed, 2 the command line is wrong.
@@ -198,6 +198,7 @@ def read_arguments():
     parser.add_argument("--coarse", action="store_true", help="coarser meshes: minutes instead of an hour")
     parser.add_argument("--figures-only", action="store_true", help="no runs: figures and claims from those that are there")
     parser.add_argument("--runs-only", action="store_true", help="no figures and no claims")
+    parser.add_argument("--only", default="", metavar="WORD", help="only runs whose names begin so; no figures, no claims")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time, of one thread each")
     return parser.parse_args()
 
@@ -218,8 +219,9 @@ def main():
             out.mkdir(parents=True, exist_ok=True)
             (out / "choices.txt").write_text(listing.stdout)
             choices = [line.split()[0] for line in listing.stdout.splitlines()]
-            make_runs(catalogue.all_runs(chosen, choices), programs, out, given.jobs)
-        if not given.runs_only:
+            runs = [run for run in catalogue.all_runs(chosen, choices) if run.name.startswith(given.only)]
+            make_runs(runs, programs, out, given.jobs)
+        if not given.runs_only and not given.only:
             follow_up(out, chosen.name)
     except (Trouble, OSError) as trouble:
         print(f"reproduce_paper: {trouble}", file=sys.stderr)

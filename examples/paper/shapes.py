@@ -130,17 +130,14 @@ class Surface:
         return float(np.sqrt(np.average(rest ** 2, weights=weight ** 2)) / np.average(self.r[good], weights=weight ** 2))
 
     def flatness(self, upper):
-        """Sagitta of the upper or lower face over 0.6 of the half width, over that of a sphere: 1 round, 0 flat."""
-        p = self.points[np.isfinite(self.r)]
-        out = np.hypot(p[:, 0] - self.centre[0], p[:, 1] - self.centre[1])
+        """c of the face's best z = z0 -+ c s(r) over r < 0.65 of the half width, s being a sphere's sagitta: 1 for a sphere,
+        height over width for an ellipsoid, 0 flat, negative: bulging inwards."""
+        good = np.isfinite(self.r)
+        p, weight = self.points[good] - self.centre, np.sqrt(np.sin(self.polar[good]))
+        out = np.hypot(p[:, 0], p[:, 1])
         half = out.max()
-        face = p[(p[:, 2] > self.centre[2]) == upper]
-        out = np.hypot(face[:, 0] - self.centre[0], face[:, 1] - self.centre[1])
-        near, rim = out < 0.15 * half, np.abs(out - 0.6 * half) < 0.05 * half
-        if not near.any() or not rim.any():
-            return np.nan
-        drop = np.mean(face[near, 2]) - np.mean(face[rim, 2])
-        sphere = half * (np.sqrt(1 - np.mean(out[near] / half) ** 2) - np.sqrt(1 - 0.6 ** 2))
-        return float((drop if upper else -drop) / sphere)
-
-
+        face = ((p[:, 2] > 0) == upper) & (out < 0.65 * half)
+        sagitta = half - np.sqrt(half ** 2 - out[face] ** 2)
+        basis = np.stack([np.ones(face.sum()), sagitta], axis=1) * weight[face, None]
+        slope = np.linalg.lstsq(basis, p[face, 2] * weight[face], rcond=None)[0][1]
+        return float(-slope if upper else slope)
