@@ -19,8 +19,8 @@ here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
 build=$root/build/cavity-release
 
-needed=(g++ cmake ninja-build libeigen3-dev libcli11-dev nlohmann-json3-dev python3 python3-numpy python3-matplotlib
-  python3-vtk9 xvfb xauth)
+needed=(g++ cmake ninja-build libeigen3-dev libcli11-dev nlohmann-json3-dev python3 python3-numpy python3-pil
+  python3-matplotlib python3-vtk9 xvfb xauth)
 
 # Leaves those of the given packages that are not installed in `missing`.
 find_missing() {

@@ -8,9 +8,10 @@ from vtk.util.numpy_support import vtk_to_numpy
 
 import measures
 import shapes
-from rows import ARTEFACT, HOLDS, NOT, QUALITATIVE, Row, converged, number, of_default, with_bar
+from rows import ARTEFACT, HOLDS, NOT, QUALITATIVE, Row, converged, with_bar
 
 SPECIFIC_HEAT = 880  # J/(kg K), of the scene
+WALL_LAYER = 2.0     # um above the wall
 
 
 @functools.lru_cache(maxsize=None)
@@ -20,65 +21,77 @@ def field(run, time, h=0.5):
 
 
 def joins(run, time, z_max=30):
-    """The pressure of the isobar at which the weak tension around the cavity joins that of its neighbours, MPa: the highest
-    p such that a path of metal with at least p leads from the cavity to the plane between two cavities."""
+    """(from the cavity, past it): the highest pressures, MPa, such that a path of metal with at least so much leads from the
+    cavity to the plane between two cavities, and from one such plane to the next, WALL_LAYER to z_max above the wall."""
     grid = field(run, time)
-    below = grid.z <= z_max
+    below = (grid.z <= z_max) & (grid.z >= WALL_LAYER)
     void = grid.cavity(run.config["centre_z_um"])[below]
-    goal = np.zeros_like(void)
-    goal[:, :, -1] = True
-    return measures.joining_level(grid.p[below], grid.solid[below], void, goal)
+    p, solid = grid.p[below], grid.solid[below]
+    start, goal = np.zeros_like(void), np.zeros_like(void)
+    start[:, :, 0] = goal[:, :, -1] = True
+    return (measures.joining_level(p, solid, void, goal),
+            measures.joining_level(p, solid, start & solid, goal))
 
 
 def positive(run, time):
-    """Volume of metal under pressure, within 15 um of the axis and the lowest 35 um, um^3, and the highest pressure there."""
+    """Volume of metal with P > 0 above the wall's layer within 15 um of the axis, below 35 um, um^3; the highest pressure
+    there, and in the layer at the wall, MPa."""
     grid = field(run, time)
     near = grid.solid & (grid.z < 35)[:, None, None] & (np.hypot(grid.x[None, :], grid.y[:, None]) < 15)[None]
-    return float((near & (grid.p > 0)).sum() * grid.h ** 3), float(grid.p[near].max())
+    layer = near & (grid.z < WALL_LAYER)[:, None, None]
+    above = near & ~layer
+    return float((above & (grid.p > 0)).sum() * grid.h ** 3), float(grid.p[above].max()), float(grid.p[layer].max())
 
 
-def isobars_join(runs, time, paper, reached):
+def isobars_join(runs, time, claim, paper, holds):
     def words(run):
-        return f"{joins(run, time):.0f} MPa"
+        return "from the cavity {:.0f} MPa, past it {:.0f} MPa".format(*joins(run, time))
 
-    level, bar, _ = converged(runs, lambda run: joins(run, time))
-    return Row(f"At {time:g} ns isobars join neighbouring cavities",
-               "highest pressure at which the region of weaker tension around the cavity reaches the plane between two cavities "
-               "(z < 30 µm)", paper, words(runs.paper()), of_default(runs, lambda run: joins(run, time)) + " MPa",
-               HOLDS if reached[0] <= level <= reached[1] else QUALITATIVE + ": at another pressure")
+    (cavity, bar, _), (past, bar_past, _) = (converged(runs, lambda run, k=k: joins(run, time)[k]) for k in (0, 1))
+    return Row(claim, "highest pressure at which metal of weaker tension makes a path from the cavity to the plane between two "
+               f"cavities, and from one such plane to the next ({WALL_LAYER:g} µm < z < 30 µm); isobars of more tension surround "
+               "it all", paper, words(runs.paper()),
+               f"from the cavity {with_bar(cavity, bar)} MPa, past it {with_bar(past, bar_past)} MPa",
+               HOLDS if holds(cavity, past) else QUALITATIVE + ": they join at another pressure")
 
 
 def no_pressure(runs, time=9):
     def words(run):
-        volume, top = positive(run, time)
-        return f"{volume:.0f} µm³ above zero, highest {top:.0f} MPa; highest of a particle anywhere {run.at(time, 'p_max_mpa'):.0f} MPa"
+        volume, top, wall = positive(run, time)
+        return (f"{volume:.0f} µm³ above zero, highest {top:.0f} MPa; at the wall {wall:.0f} MPa; highest of a particle anywhere "
+                f"{run.at(time, 'p_max_mpa'):.0f} MPa")
 
     top, bar, _ = converged(runs, lambda run: positive(run, time)[1])
-    return Row("At 9 ns no pressure is positive", "nodes within 15 µm of the axis, below 35 µm", "none", words(runs.paper()),
-               f"highest {with_bar(top, bar)} MPa; finest mesh: {words(runs.finest())}",
-               HOLDS if top - bar <= 0 else QUALITATIVE + ": a little is" if positive(runs.finest(), time)[0] < 20 else NOT)
+    volume = positive(runs.finest(), time)[0]
+    return Row("At 9 ns no pressure is positive", f"nodes within 15 µm of the axis, {WALL_LAYER:g} to 35 µm above the wall",
+               "none", words(runs.paper()), f"highest {with_bar(top, bar)} MPa; finest mesh: {words(runs.finest())}",
+               HOLDS if top - bar <= 0 else QUALITATIVE + ": a little is" if volume < 50 else NOT)
 
 
-def spots(run, time=11, least=1.0):
-    """Volumes (um^3) of the pieces of metal under the cavity's centre with P > 0."""
+def spots(run, time=11, least=20.0):
+    """(volume in um^3, height of the middle in um) of the pieces of metal below the cavity's middle with P > 0."""
     grid = field(run, time)
     void = grid.cavity(run.config["centre_z_um"])
     middle = np.average(grid.z[np.nonzero(void)[0]])
     mask = grid.solid & (grid.p > 0) & (grid.z < middle)[:, None, None]
-    return [n * grid.h ** 3 for n in measures.components(mask, max(1, round(least / grid.h ** 3)))]
+    pieces = measures.components(mask, round(least / grid.h ** 3))
+    return [(len(z) * grid.h ** 3, float(grid.z[z].mean())) for z, _, _ in pieces]
 
 
 def four_spots(runs):
-    def words(run):
-        found = spots(run)
-        return f"{len(found)} ({', '.join(f'{v:.0f}' for v in found[:6])} µm³)" if found else "none"
+    def free(run):
+        return [volume for volume, height in spots(run) if height > WALL_LAYER]
 
-    finest = len(spots(runs.finest()))
-    scheme = len(spots(runs.paper()))
-    return Row("At 11 ns there are four spots of positive pressure under the cavity",
-               "pieces of at least 1 µm³ with P > 0 below the cavity's middle", "4", words(runs.paper()),
-               "; ".join(f"{words(runs.default(h))} on {h:g} µm" for h in runs.set.fields),
-               HOLDS if finest == 4 else f"{ARTEFACT}" if scheme == 4 else NOT)
+    def words(run):
+        at_wall = sum(volume for volume, height in spots(run) if height <= WALL_LAYER)
+        return f"{len(free(run))} ({', '.join(f'{v:.0f}' for v in free(run)[:6])} µm³), and {at_wall:.0f} µm³ at the wall"
+
+    counts = [len(free(run)) for run in runs.sides()]
+    return Row("At 11 ns there are four spots of positive pressure below the cavity",
+               "pieces of at least 20 µm³ with P > 0 lower than the cavity's middle, in one period; those of which the middle is "
+               f"within {WALL_LAYER:g} µm of the wall counted apart", "4", words(runs.paper()),
+               "; ".join(f"{words(runs.default(h))} on {h:g} µm" for h in runs.mesh_sequence()),
+               HOLDS if counts[1] == 4 else ARTEFACT if counts[0] == 4 else NOT)
 
 
 def isobar_areas(runs, time=11, levels=(0, -50, -100, -150, -200, -250)):
@@ -88,9 +101,9 @@ def isobar_areas(runs, time=11, levels=(0, -50, -100, -150, -200, -250)):
     def words(run):
         return ", ".join(f"{level:g}: {a:.0f}" for level, a in zip(levels, areas(run)))
 
-    largest = levels[int(np.argmax(areas(runs.finest())))]
+    at_scheme, largest = (levels[int(np.argmax(areas(run)))] for run in runs.sides())
     return Row("At 11 ns the isobar of -150 MPa has the largest area", "area in µm² of the isobars, MPa, below 30 µm", "-150 MPa",
-               words(runs.paper()), words(runs.finest()), HOLDS if largest == -150 else f"{NOT}: that of {largest:g} MPa")
+               words(runs.paper()), words(runs.finest()), HOLDS if largest == -150 else f"{ARTEFACT if at_scheme == -150 else NOT}: that of {largest:g} MPa has")
 
 
 def particles(run, time=6):
@@ -140,19 +153,24 @@ def bar(runs, times=(3, 7, 9)):
                f"{sides[1]:.1e} m/s", HOLDS if max(sides) < 0.01 else NOT)
 
 
-def weak_tension(runs):
+def weak_tension(runs, times=(3, 7.2, 11)):
     """The abstract's second cavity effect."""
     def words(run):
-        return "; ".join(f"{t:g} ns: {number(positive(run, t)[0])} µm³, highest {number(positive(run, t)[1])} MPa" for t in (3, 7.2, 11))
+        return "; ".join("{:g} ns: {:.0f} µm³, highest {:.0f} MPa, at the wall {:.0f} MPa".format(t, *positive(run, t)) for t in times)
 
-    tops = [converged(runs, lambda run, t=t: positive(run, t)[1])[:2] for t in (3, 7.2, 11)]
-    said = ", ".join(f"{with_bar(*top)} MPa at {t:g} ns" for t, top in zip((3, 7.2, 11), tops))
+    tops = [converged(runs, lambda run, t=t: positive(run, t)[1])[:2] for t in times]
+    said = ", ".join(f"{with_bar(*top)} MPa at {t:g} ns" for t, top in zip(times, tops))
     return Row("Around the cavity tension is weaker, and pressure even positive in places",
-               "metal with P > 0 within 15 µm of the axis, below 35 µm", "", words(runs.paper()),
+               f"metal with P > 0 within 15 µm of the axis, {WALL_LAYER:g} to 35 µm above the wall", "", words(runs.paper()),
                f"highest {said}; finest mesh: {words(runs.finest())}",
                HOLDS if any(value - bar > 0 for value, bar in tops) else QUALITATIVE + ": weaker, nowhere positive")
 
 
 def rows(runs):
-    return [weak_tension(runs), isobars_join(runs, 9, "-300 to -550 MPa", (-550, -300)), no_pressure(runs), four_spots(runs),
-            isobars_join(runs, 11, "-100 MPa", (-125, -75)), isobar_areas(runs), hot_spots(runs), bar(runs)]
+    return [weak_tension(runs),
+            isobars_join(runs, 9, "At 9 ns the isobars of -300 to -550 MPa join neighbouring cavities", "-300 to -550 MPa",
+                         lambda cavity, past: min(cavity, past) >= -300),
+            no_pressure(runs), four_spots(runs),
+            isobars_join(runs, 11, "At 11 ns the isobar of -100 MPa joins neighbouring cavities", "-100 MPa",
+                         lambda cavity, past: max(cavity, past) >= -100),
+            isobar_areas(runs), hot_spots(runs), bar(runs)]

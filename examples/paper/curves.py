@@ -8,6 +8,7 @@ import measures
 from surfaces import describe
 
 SHOWN, COLOURS = (100, 200, 400, 1000), ("#1f6fb4", "#2f9e44", "#e07b00", "#c92a2a")
+EXTREME_TIMES = (3.0, 7.2, -12.0)  # ns; negative: the extreme from the start to then
 LINEAR_STAGE = (3.0, 7.0)  # ns: after the cavity has taken off, before the wave reaches the free surface
 
 
@@ -28,7 +29,9 @@ def draw_histories(axes, runs, column, label):
     for speed, colour in zip(SHOWN, COLOURS):
         paper, fine = runs.sides(speed)
         axes.plot(paper.history["time_ns"], paper.history[column], color=colour, ls="--", lw=1.3)
-        axes.plot(fine.history["time_ns"], fine.history[column], color=colour, lw=1.8,
+        longer = runs.default(runs.set.trend[-1], speed)  # the finest runs end earlier
+        axes.plot(longer.history["time_ns"], longer.history[column], color=colour, lw=0.8)
+        axes.plot(fine.history["time_ns"], fine.history[column], color=colour, lw=2,
                   label=f"{speed} m/s (default: {fine.config['spacing_um']:g} µm)")
     axes.plot([], [], color="grey", ls="--", label=f"dashed: paper's scheme, {runs.paper().config['spacing_um']:g} µm")
     axes.set(xlabel="time  (ns)", ylabel=label, xlim=(0, 15))
@@ -87,7 +90,15 @@ def growth(runs):
 
 
 def extreme(time, column, sign=1):
-    return lambda run: sign * run.at(time, column)
+    """Of a run: a velocity at a time, or the largest until then if the time is negative."""
+    def largest(run):
+        return float(np.nanmax(sign * run.history[column][run.history["time_ns"] <= -time + 1e-6]))
+
+    return largest if time < 0 else lambda run: sign * run.at(time, column)
+
+
+def when(time):
+    return f"at {time:g} ns" if time > 0 else f"until {-time:g} ns"
 
 
 def draw_fits(axes, speeds, values, colour):
@@ -114,11 +125,11 @@ def draw_extremes(axes, runs, time, single, mean, sign, title):
     axes.grid(alpha=0.25)
 
 
-def extremes(runs, times=(3.0, 7.2)):
-    figure, rows = plt.subplots(2, 2, figsize=(13.5, 10.6), layout="constrained")
-    for row, time in zip(rows, times):
-        draw_extremes(row[0], runs, time, "vz_max_m_s", "vz_high_m_s", 1, f"Largest v_z at {time:g} ns")
-        draw_extremes(row[1], runs, time, "vz_min_m_s", "vz_low_m_s", -1, f"Largest downward speed, -v_z, at {time:g} ns")
+def extremes(runs):
+    figure, rows = plt.subplots(2, len(EXTREME_TIMES), figsize=(18, 10.6), layout="constrained")
+    for axes, time in zip(rows.T, EXTREME_TIMES):
+        draw_extremes(axes[0], runs, time, "vz_max_m_s", "vz_high_m_s", 1, f"Largest v_z {when(time)}")
+        draw_extremes(axes[1], runs, time, "vz_min_m_s", "vz_low_m_s", -1, f"Largest downward speed, -v_z, {when(time)}")
     figure.suptitle("Figure 9. Extreme velocities against the launch speed, with least-squares fits "
                     "(AIC: above the best of the three; 0 is best)")
     return figure, 75

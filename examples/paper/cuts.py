@@ -10,8 +10,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cavity"
 from plot_frames import extended, refined  # noqa: E402
 from surfaces import NAMES, describe, stride  # noqa: E402
 
-FIELDS = {"p": ("P", "MPa", "RdBu_r", 1), "vz": ("v_z", "m/s", "RdBu_r", 1), "rho": ("density", "kg/m³", "viridis", 1),
-          "t": ("T", "K", "inferno", 1)}
+FIELDS = {"p": ("pressure", "MPa", "RdBu_r"), "vz": ("v_z", "m/s", "RdBu_r"), "rho": ("density", "kg/m³", "viridis"),
+          "t": ("temperature", "K", "inferno")}
 COLOURS = ("#e07b00", "#1f6fb4")
 
 
@@ -39,14 +39,14 @@ def arrows(axes, grid, every=2.5):
 
 
 def bar(figure, axes, name, limits):
-    label, unit, colours, _ = FIELDS[name]
+    label, unit, colours = FIELDS[name]
     figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(*limits), colours), ax=axes, label=f"{label}  ({unit})",
-                    fraction=0.025, extend="both")
+                    fraction=0.04, aspect=35, extend="both")
 
 
 def early(runs, times=(2, 3), top=26):
     sides = runs.sides()
-    figure, rows = plt.subplots(len(times), 5, figsize=(18, 8.2), layout="constrained", width_ratios=(1, 1, 1, 1, 1.15))
+    figure, rows = plt.subplots(len(times), 5, figsize=(19, 6.6), layout="constrained", width_ratios=(1, 1, 1, 1, 1.15))
     limits = {"p": (-2000, 2000), "vz": (-300, 300)}
     for row, time in zip(rows, times):
         for k, run in enumerate(sides):
@@ -57,13 +57,12 @@ def early(runs, times=(2, 3), top=26):
             arrows(row[k], grid)
             z, v = run.profile(time, "vz_m_s")
             z, v = with_gaps(z, v)
-            row[4].plot(z, v, color=COLOURS[k], label=f"{NAMES[k]}\n({describe(run)})")
+            row[4].plot(z, v, color=COLOURS[k], label=f"{NAMES[k]}:\n{describe(run)}")
         row[0].set_ylabel("z  (µm)")
-        row[4].axhline(sides[0].config["speed_m_s"], color="grey", lw=0.7, ls=":")
         row[4].axhline(0, color="grey", lw=0.7)
         row[4].set(xlabel="z  (µm)", ylabel="v_z on the axis  (m/s)", xlim=(0, top), ylim=(-330, 330),
                    title=f"v_z along the axis, {time:g} ns (gap: cavity)")
-        row[4].legend(fontsize=8, loc="lower right")
+        row[4].legend(fontsize=8, loc="lower right", bbox_to_anchor=(1, 0.18))
         row[4].grid(alpha=0.25)
     bar(figure, rows[:, 1].tolist(), "p", limits["p"])
     bar(figure, rows[:, 3].tolist(), "vz", limits["vz"])
@@ -80,7 +79,7 @@ def with_gaps(z, values, widest=1.6):
 
 def late(runs, number, names, limits, times=(7.2, 12)):
     sides = runs.sides()
-    figure, rows = plt.subplots(2, 4, figsize=(14.5, 9.4), layout="constrained", sharey=True)
+    figure, rows = plt.subplots(2, 4, figsize=(13.5, 9), layout="constrained", sharey=True)
     for row, run, side in zip(rows, sides, NAMES):
         for k, time in enumerate(times):
             grid = run.grid(time, stride(run, 0.25))
@@ -88,7 +87,7 @@ def late(runs, number, names, limits, times=(7.2, 12)):
                 axes = row[2 * j + k]
                 draw(axes, grid, name, limits[name])
                 values = picture(grid, name)
-                label, unit, *_ = FIELDS[name]
+                label, unit, _ = FIELDS[name]
                 axes.set_title(f"{label}, {time:g} ns\n{np.nanmin(values):.0f} to {np.nanmax(values):.0f} {unit}", fontsize=10)
         row[0].set_ylabel(f"{side}\n{describe(run)}\n\nz  (µm)")
     for axes in rows[-1]:
@@ -96,7 +95,7 @@ def late(runs, number, names, limits, times=(7.2, 12)):
     for j, name in enumerate(names):
         bar(figure, rows[:, 2 * j + 1].tolist(), name, limits[name])
     fields = " and ".join(FIELDS[name][0] for name in names)
-    figure.suptitle(f"Figure {number}. {fields[0].upper() + fields[1:] if fields[0] != 'v' else fields} on the plane x = 0 "
+    figure.suptitle(f"Figure {number}. {fields[0].upper() + fields[1:]} on the plane x = 0 "
                     f"(wall at z = 0; grey: no metal), launch at {sides[0].config['speed_m_s']:g} m/s.\n"
                     "Titles give the least and the greatest value on the plane.")
     return figure, 75
@@ -107,4 +106,4 @@ def density_and_pressure(runs):
 
 
 def temperature_and_velocity(runs):
-    return late(runs, 8, ("t", "vz"), {"t": (285, 345), "vz": (-300, 300)})
+    return late(runs, 8, ("t", "vz"), {"t": (285, 365), "vz": (-300, 300)})

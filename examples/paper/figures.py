@@ -12,6 +12,7 @@ import sys
 import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from PIL import Image  # noqa: E402
 
 import catalogue  # noqa: E402
 import curves  # noqa: E402
@@ -24,7 +25,8 @@ class Runs:
     """The runs of a set, by name."""
 
     def __init__(self, folder, name):
-        self.folder, self.set, self.known = pathlib.Path(folder), catalogue.SETS[name], {}
+        self.folder, self.set = pathlib.Path(folder), catalogue.SETS[name]
+        self.known, self.told = {}, set()
 
     def __getitem__(self, name):
         if name not in self.known:
@@ -37,17 +39,22 @@ class Runs:
     def default(self, h, speed=100):
         return self[f"default_h{h:g}_v{speed}"]
 
+    def mesh_sequence(self, speed=100):
+        """The meshes, from coarse to fine, on which this speed has been run with the default scheme."""
+        meshes = self.set.fields if speed in (100, 1000) else self.set.trend
+        there = tuple(h for h in meshes if (self.folder / f"default_h{h:g}_v{speed}" / "summary.json").exists())
+        if there != meshes and speed not in self.told:
+            self.told.add(speed)
+            print(f"the finest runs at {speed} m/s are not there yet; going on without", file=sys.stderr)
+        return there or meshes
+
     def finest(self, speed=100):
         """The default scheme on the finest mesh that this speed was run on."""
-        meshes = self.set.fields if speed in (100, 1000) else self.set.trend
-        return self.default(meshes[-1], speed)
+        return self.default(self.mesh_sequence(speed)[-1], speed)
 
     def sides(self, speed=100):
         """What is drawn side by side."""
         return self.paper(speed), self.finest(speed)
-
-    def mesh_sequence(self, speed):
-        return self.set.fields if speed in (100, 1000) else self.set.trend
 
 
 FIGURES = {1: surfaces.velocity, 2: cuts.early, 3: surfaces.isobars_9, 4: surfaces.isobars_11, 5: surfaces.temperature,
@@ -67,6 +74,8 @@ def main():
             return 1
         file = folder / f"paper_figure_{number}.png"
         figure.savefig(file, dpi=dpi)
+        if file.stat().st_size > 350e3:
+            Image.open(file).convert("RGB").quantize(256).save(file, optimize=True)
         plt.close(figure)
         print(file, flush=True)
     return 0

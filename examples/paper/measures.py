@@ -144,10 +144,11 @@ def flood(mask, seed):
 
 
 def components(mask, least):
-    """Numbers of nodes of the pieces of a mask that have at least so many, the largest first."""
+    """Indices (z, y, x) of the nodes of the pieces of a mask that have at least so many, the largest piece first."""
     pieces = Flood(mask)
-    sizes = [len(pieces.piece(node)) for node in np.flatnonzero(pieces.left) if pieces.left[node]]
-    return sorted((n for n in sizes if n >= least), reverse=True)
+    found = [pieces.piece(node) for node in np.flatnonzero(pieces.left) if pieces.left[node]]
+    found = sorted((nodes for nodes in found if len(nodes) >= least), key=len, reverse=True)
+    return [np.subtract(np.unravel_index(nodes, pieces.shape), 1) for nodes in found]
 
 
 def joining_level(values, inside, seeds, goal):
@@ -219,7 +220,7 @@ def fits(speeds, values):
 
 def evaluate(name, parameters, v):
     a, b = parameters
-    return {"linear": a + b * v, "logarithmic": a + b * np.log(v), "power law": a * v ** b}[name]
+    return a * v ** b if name == "power law" else a + b * (np.log(v) if name == "logarithmic" else v)
 
 
 def segments(t, y, count, least=6):

@@ -96,8 +96,8 @@ def actor(surface, colour=(0.7, 0.7, 0.7), opacity=1.0, field=None, limits=(0, 1
         mapper.SetLookupTable(scale)
         mapper.UseLookupTableScalarRangeOn()
     thing.GetProperty().SetOpacity(opacity)
-    thing.GetProperty().SetAmbient(0.35)
-    thing.GetProperty().SetDiffuse(0.65)
+    thing.GetProperty().SetAmbient(0.65)
+    thing.GetProperty().SetDiffuse(0.42)
     thing.GetProperty().SetLineWidth(1.5)
     return thing
 
