@@ -10,6 +10,7 @@
 #   --jobs N        runs at a time; default: as many as there are cores
 #   --runs-only     no figures and no table
 #   --only WORD     only the runs whose names begin with WORD
+#   --again         make finished runs anew, as after a change of the library
 #
 # Runs that are finished are kept, so an interrupted reproduction goes on where it was. Figures are written to
 # DIR/SET/figures, the table to DIR/SET/claims.md; SET is full or coarse. Installs what is missing with apt. Exit code: 0
@@ -54,7 +55,7 @@ while [ $# -gt 0 ]; do
       out=$2; shift ;;
     --jobs | --only) [ $# -gt 1 ] || { echo "reproduce_paper: $1 has no value" >&2; exit 2; }
       arguments+=("$1" "$2"); shift ;;
-    --coarse | --figures-only | --runs-only) arguments+=("$1") ;;
+    --coarse | --figures-only | --runs-only | --again) arguments+=("$1") ;;
     --help | -h) sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
     *) echo "reproduce_paper: '$1' is not an option; --help lists them" >&2; exit 2 ;;
   esac

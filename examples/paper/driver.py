@@ -2,6 +2,7 @@
 """Runs what reproduces the paper, then draws its figures and tests its claims; examples/reproduce_paper.sh calls it.
 
 driver.py --programs DIR --out DIR [--coarse] [--figures-only] [--jobs N] [--runs-only] [--only WORD]
+          [--again]
 
 A run whose summary.json is there and whose configuration is the wanted one is kept; any other is made anew, also one that
 was interrupted. Exit codes: 0 done, 1 something failed, 2 the command line is wrong.
@@ -136,11 +137,11 @@ def remember(measured, run, summary):
         measured[run.options[1]] = max(0.5 * (old + summary["ns_per_particle_step"]), summary["ns_per_particle_step"])
 
 
-def make_runs(runs, programs, out, jobs):
+def make_runs(runs, programs, out, jobs, again):
     plans = {run.name: plan(run, programs, out) for run in runs}
     measured, waiting = {}, []
     for run in runs:
-        summary = finished(out / run.name, plans[run.name][0])
+        summary = None if again else finished(out / run.name, plans[run.name][0])
         if summary:
             remember(measured, run, summary)
         else:
@@ -199,6 +200,7 @@ def read_arguments():
     parser.add_argument("--figures-only", action="store_true", help="no runs: figures and claims from those that are there")
     parser.add_argument("--runs-only", action="store_true", help="no figures and no claims")
     parser.add_argument("--only", default="", metavar="WORD", help="only runs whose names begin so; no figures, no claims")
+    parser.add_argument("--again", action="store_true", help="make finished runs anew, as after a change of the library")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time, of one thread each")
     return parser.parse_args()
 
@@ -220,7 +222,7 @@ def main():
             (out / "choices.txt").write_text(listing.stdout)
             choices = [line.split()[0] for line in listing.stdout.splitlines()]
             runs = [run for run in catalogue.all_runs(chosen, choices) if run.name.startswith(given.only)]
-            make_runs(runs, programs, out, given.jobs)
+            make_runs(runs, programs, out, given.jobs, given.again)
         if not given.runs_only and not given.only:
             follow_up(out, chosen.name)
     except (Trouble, OSError) as trouble:

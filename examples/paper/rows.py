@@ -65,5 +65,6 @@ def judge(paper, scheme, value, bar):
     if abs(value - paper) <= max(0.1 * abs(paper), bar):
         return HOLDS
     if abs(scheme - paper) <= 0.25 * abs(paper) and abs(scheme - paper) < abs(value - paper):
-        return f"{ARTEFACT}: {100 * abs(paper - value) / abs(value):.0f}% {'above' if abs(paper) > abs(value) else 'below'} the converged"
+        change = 100 * (paper / value - 1)
+        return f"{ARTEFACT}: the paper's number is {abs(change):.0f}% {'larger' if change > 0 else 'smaller'}"
     return QUALITATIVE if 0.5 <= value / paper <= 2 else NOT
