@@ -153,7 +153,7 @@ def irregular(runs):
               f"{roughness(runs['paper_fraction']):.2f}% with particles cut at the surface, {jitter:.2f} ± {around:.2f}% on "
               f"jittered lattices, {roughness(other):.2f}% on {other.config['spacing_um']:g} µm; at 1000 m/s "
               f"{roughness(runs.paper(1000)):.2f}%")
-    default = (f"{with_bar(value, bar, 2)}% ({', '.join(f'{r:.2f}% on {h:g} µm' for h, r in zip(meshes, ours))}); on "
+    default = (f"{with_bar(value, bar, 2)}% ({roughness(runs.finest(), 0):.2f}% at the start; {', '.join(f'{r:.2f}% on {h:g} µm' for h, r in zip(meshes, ours))}); on "
                f"{meshes[0]:g} µm {roughness(runs['default_lattice']):.2f}% with whole particles, {jitter_ours:.2f} ± "
                f"{around_ours:.2f}% jittered; at 1000 m/s {', '.join(f'{roughness(runs.default(h, 1000)):.2f}%' for h in runs.mesh_sequence(1000))}")
     return Row("The deformed cavity is irregular, because of an instability of Richtmyer and Meshkov's kind",

@@ -102,7 +102,7 @@ def late(runs, number, names, limits, times=(7.2, 12)):
 
 
 def density_and_pressure(runs):
-    return late(runs, 7, ("rho", "p"), {"rho": (2640, 2710), "p": (-1500, 1500)})
+    return late(runs, 7, ("rho", "p"), {"rho": (2650, 2730), "p": (-1500, 1500)})
 
 
 def temperature_and_velocity(runs):
