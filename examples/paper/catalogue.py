@@ -29,11 +29,12 @@ class Set:
     fields: tuple      # default scheme, the speeds that are refined furthest
     paper_mesh: float
     paper_finer: float
+    places: float      # default scheme, other places and sizes of the cavity
     seeds: int
 
 
-FULL = Set("full", ("--preset", "paper"), (1, 0.5), (1, 0.5, 0.25), 1, 0.5, 8)
-COARSE = Set("coarse", ("--preset", "paper", "--domain", "quarter"), (2, 1), (2, 1), 1, 1.25, 3)
+FULL = Set("full", ("--preset", "paper"), (1, 0.5), (1, 0.5, 0.25), 1, 0.5, 1, 8)
+COARSE = Set("coarse", ("--preset", "paper", "--domain", "quarter"), (2, 1), (2, 1), 1, 1.25, 1, 3)
 SETS = {s.name: s for s in (FULL, COARSE)}
 
 
@@ -73,14 +74,14 @@ def default_runs(s):
     def cavity(name, *options, grid=()):
         return Run("default_" + name, "cavity", DEFAULT + options, grid)
 
-    coarse, fine = s.trend[0], s.trend[-1]
+    coarse = s.trend[0]
     for h in s.trend:
         for speed in SPEEDS:
             if speed not in (100, 1000):
                 yield cavity(f"h{h:g}_v{speed}", *mesh(h), "--speed", str(speed), "--frames", "0")
     for z in CENTRES:
-        yield cavity(f"centre{z}", *mesh(fine), "--centre-z", str(z), "--frames", "0")
-    yield cavity(f"radius{SMALL_RADIUS}", *mesh(fine), "--radius", str(SMALL_RADIUS), "--frames", "0")
+        yield cavity(f"centre{z}", *mesh(s.places), "--centre-z", str(z), "--frames", "0")
+    yield cavity(f"radius{SMALL_RADIUS}", *mesh(s.places), "--radius", str(SMALL_RADIUS), "--frames", "0")
     yield cavity("bar", *mesh(coarse), "--radius", "0", "--until", "9", "--frames", "10", grid=(3, 7, 9))
     yield cavity("conduction", *mesh(coarse), "--conductivity", "237", "--until", "12", "--frames", "0")
     yield cavity("lattice", *mesh(coarse), "--fill", "lattice", "--until", "12", "--frames", "2", grid=(12,))

@@ -54,14 +54,15 @@ def draw_rates(axes, runs):
 
 def draw_places(axes, runs):
     """Cavities at other heights and of another size, by the default scheme."""
-    runs_shown = [(runs.finest(), "centre at 10 µm")]
+    h = runs.set.places
+    runs_shown = [(runs.default(h), "centre at 10 µm")]
     runs_shown += [(runs[f"default_centre{z}"], f"centre at {z} µm") for z in catalogue.CENTRES]
     runs_shown += [(runs[f"default_radius{catalogue.SMALL_RADIUS}"], f"radius {catalogue.SMALL_RADIUS} µm, centre at 10 µm")]
     for (run, label), colour in zip(runs_shown, plt.cm.viridis(np.linspace(0, 0.9, len(runs_shown)))):
         volume = run.history["cavity_volume_um3"]
         axes.plot(run.history["time_ns"], volume / volume[0], color=colour, label=label)
     axes.set(xlabel="time  (ns)", ylabel="volume / initial volume", xlim=(0, 15),
-             title="Other places and sizes, 100 m/s\n(default scheme; free surface at 50 µm)")
+             title=f"Other places and sizes, 100 m/s\n(default scheme, {h:g} µm; free surface at 50 µm)")
     axes.legend(fontsize=8)
     axes.grid(alpha=0.25)
 
