@@ -39,16 +39,16 @@ class Loop : public Grid {
   static constexpr int ghosts = N / 2;  // of a particle up to half a cell beyond a plane
   static constexpr bool affine = T != Transfer::flip, increments = T != Transfer::apic, musl = U == Update::musl,
                         usl = !musl;
-  static constexpr bool old_gradients = T == Transfer::affine_flip;
+  static constexpr bool sharpened = T == Transfer::affine_flip;
   static constexpr bool gimp = S == Shape::gimp || S == Shape::contiguous_gimp;
   static constexpr bool moments = T == Transfer::apic && S != Shape::linear && !gimp;  // else C is the gradient
 
  public:
   Metal metal;
-  double blend = 1;         ///< FLIP: 1, PIC: 0; no meaning with APIC
-  double affine_blend = 1;  ///< the same for C, with affine FLIP
-  Vector gravity = {};      ///< body force per mass, m/s^2
-  Vector impulse = {};      ///< given by the planes since the beginning, N s
+  double blend = 1;     ///< FLIP: 1, PIC: 0; no meaning with APIC
+  int order = 2;        ///< terms of the change of velocity, with affine FLIP
+  Vector gravity = {};  ///< body force per mass, m/s^2
+  Vector impulse = {};  ///< given by the planes since the beginning, N s
   Particles particles;
 
   explicit Loop(const Box& where, const Metal& material = {})
@@ -78,8 +78,9 @@ class Loop : public Grid {
     if constexpr (increments) set_old_velocity();
     const Vector given = move(dt, gravity, increments ? blend : 0);
     for (int a = 0; a < 3; ++a) impulse[a] += given[a];
+    if constexpr (sharpened) sharpen();
     if constexpr (musl) {
-      for (std::size_t p = 0; p < particles.size(); ++p) gather_and_rescatter(p);
+      for (std::size_t p = 0; p < particles.size(); ++p) gather_and_rescatter(p, dt);
       set_velocity<false>();
     }
     for (std::size_t p = 0; p < particles.size(); ++p) move_particle(p, dt);
@@ -93,7 +94,7 @@ class Loop : public Grid {
   };
   struct Gathered {
     Vector v{}, old{};
-    Matrix gradient{}, moment{}, old_gradient{};
+    Matrix gradient{}, moment{};
   };
 
   double inverse;
@@ -194,8 +195,7 @@ class Loop : public Grid {
     spread<true>(stencil(p), P.m[p], mv, mC, stress);
   }
 
-  /// Sums of v_new, and if asked of v_old, of v_new (x) grad w (of v_old too with affine FLIP) and of
-  /// w v_new (x) (x_i - x_p).
+  /// Sums of v_new, and if asked of v_old, of v_new (x) grad w and of w v_new (x) (x_i - x_p).
   template <bool Old, bool Gradient, bool Moment>
   Gathered gather(const Stencil& t) const {
     Gathered g;
@@ -203,7 +203,7 @@ class Loop : public Grid {
       for (int j = 0; j < N; ++j) {
         const double ww = t.w[0][i] * t.w[1][j], dw = t.d[0][i] * t.w[1][j], wd = t.w[0][i] * t.d[1][j];
         const Motion* row = &motion[t.at[0][i] + t.at[1][j]];
-        Vector v{}, old{}, slope{}, moment{}, old_slope{};
+        Vector v{}, old{}, slope{}, moment{};
         for (int k = 0; k < N; ++k) {
           const Motion& n = row[t.at[2][k]];
           const double w = t.w[2][k], d = t.d[2][k], r = w * t.r[2][k];
@@ -211,7 +211,6 @@ class Loop : public Grid {
             v[a] += w * n.v[a];
             if constexpr (Old) old[a] += w * n.old[a];
             if constexpr (Gradient) slope[a] += d * n.v[a];
-            if constexpr (old_gradients && Old && Gradient) old_slope[a] += d * n.old[a];
             if constexpr (Moment) moment[a] += r * n.v[a];
           }
         }
@@ -223,11 +222,6 @@ class Loop : public Grid {
             g.gradient[a][1] += wd * v[a];
             g.gradient[a][2] += ww * slope[a];
           }
-          if constexpr (old_gradients && Old && Gradient) {
-            g.old_gradient[a][0] += dw * old[a];
-            g.old_gradient[a][1] += wd * old[a];
-            g.old_gradient[a][2] += ww * old_slope[a];
-          }
           if constexpr (Moment) {
             g.moment[a][0] += ww * t.r[0][i] * v[a];
             g.moment[a][1] += ww * t.r[1][j] * v[a];
@@ -238,25 +232,68 @@ class Loop : public Grid {
     return g;
   }
 
+  /// v += (1 - S+ S) dv + (1 - S+ S)^2 dv + ..., dv = v - old: the terms of the consistent mass beyond the lumped one.
+  void sharpen() {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (int a = 0; a < 3; ++a) nodes[i].p[a] = nodes[i].m * (motion[i].v[a] - motion[i].old[a]);
+    std::vector<Motion> sum = motion;
+    set_velocity<false>();  // motion now holds the term
+    for (int j = 1; j < order; ++j) {
+      for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Stencil t = stencil(p);
+        Vector v = gather<false, false, false>(t).v;
+        for (double& c : v) c *= particles.m[p];
+        spread<false>(t, 0, v, {}, {});
+      }
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (int a = 0; a < 3; ++a) {
+          double& p = nodes[i].p[a];
+          p = nodes[i].m * motion[i].v[a] - p;
+          impulse[a] -= p;
+        }
+      set_velocity<false>();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (int a = 0; a < 3; ++a) {
+          sum[i].v[a] += motion[i].v[a];
+          impulse[a] += nodes[i].m * motion[i].v[a];
+        }
+    }
+    motion = std::move(sum);
+  }
+
   /// The particle's new velocity, and C if there is one.
-  void take_velocity(std::size_t p, const Gathered& g) {
+  void take_velocity(std::size_t p, const Gathered& g, double dt) {
     const double D = (S == Shape::cubic ? 1.0 / 3 : 0.25) * box.spacing * box.spacing;
     for (int a = 0; a < 3; ++a) {
       double& v = particles.v[a][p];
       v = increments ? g.v[a] + blend * (v - g.old[a]) : g.v[a];
-      for (int b = 0; affine && b < 3; ++b) {
-        double& C = particles.C[3 * a + b][p];
-        const double kept = old_gradients ? affine_blend * (C - g.old_gradient[a][b]) : 0;
-        C = (moments ? g.moment[a][b] / D : g.gradient[a][b]) + kept;
-      }
+      for (int b = 0; affine && b < 3; ++b) particles.C[3 * a + b][p] = moments ? g.moment[a][b] / D : g.gradient[a][b];
     }
+    if constexpr (sharpened) take_along(p, dt);
+  }
+
+  /// C <- C - dt C^2 + dt^2 C^3: affine FLIP's gradient goes with the particle.
+  void take_along(std::size_t p, double dt) {
+    const auto product = [](const Matrix& a, const Matrix& b) {
+      Matrix c{};
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          for (int k = 0; k < 3; ++k) c[i][j] += a[i][k] * b[k][j];
+      return c;
+    };
+    Matrix C;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) C[a][b] = particles.C[3 * a + b][p];
+    const Matrix square = product(C, C), cube = product(square, C);
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) particles.C[3 * a + b][p] += dt * (dt * cube[a][b] - square[a][b]);
   }
 
   /// MUSL: the velocity, then its momentum back to the grid.
-  void gather_and_rescatter(std::size_t p) {
+  void gather_and_rescatter(std::size_t p, double dt) {
     const Stencil t = stencil(p);
     const Gathered g = gather < increments, affine && !moments, moments > (t);
-    take_velocity(p, g);
+    take_velocity(p, g, dt);
     for (int a = 0; a < 3; ++a) drift[a][p] = g.v[a];
     Vector mv;
     Matrix mC{};
@@ -268,7 +305,7 @@ class Loop : public Grid {
   void move_particle(std::size_t p, double dt) {
     Particles& P = particles;
     Gathered g = gather < increments && usl, true, moments && usl > (stencil(p));
-    if constexpr (usl) take_velocity(p, g);
+    if constexpr (usl) take_velocity(p, g, dt);
     for (Vector& row : g.gradient)
       for (double& L : row) L *= dt;
     State state{P.J[p], {}, P.strain[p], P.work[p], P.temperature[p]};

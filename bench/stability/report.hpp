@@ -99,9 +99,8 @@ class Report {
   }
   void quiet() const {
     for (const int n : {1, 2, 3, 4}) {
-      const auto s = stretch<S>(n, true), from_zero = stretch<S>(n, false);
+      const auto s = stretch<S>(n);
       row("stretch", n, "least", s.least), row("stretch", n, "most", s.most);
-      row("stretch", n, "least_from_zero", from_zero.least), row("stretch", n, "most_from_zero", from_zero.most);
     }
     const auto f = fly_alone<S>();
     row("alone", 1000, "speed", f.speed), row("alone", 1000, "volume_min", f.volume.least);

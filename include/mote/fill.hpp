@@ -14,7 +14,9 @@ namespace mote {
 template <int D>
 struct Fill {
   int per_axis = 2;           ///< particles per cell and axis, 1 to 64
-  VectorField<D> velocity{};  ///< initial velocity, m/s: constant or a function of position
+  /// Initial velocity, m/s: constant or a function of position, whose gradient field::Affine gets (by differences, so
+  /// that it is also asked a thousandth of a cell beside each particle).
+  VectorField<D> velocity{};
   geometry::Method method = geometry::Method::lattice;
   double jitter = 0;       ///< random displacement as a part of the particle distance, 0 to 0.5
   std::uint64_t seed = 0;  ///< of the jitter
@@ -49,6 +51,8 @@ std::size_t append_fill(B& body, const R& region, const M& material, const Fill<
       set_fields(p, at_rest, particle_fields_of<M>{});
       get<field::Position>(p) = cast<T>(seeds[i].position);
       get<field::Velocity>(p) = cast<T>(how.velocity(seeds[i].position));
+      if constexpr (contains<All, field::Affine>)
+        get<field::Affine>(p) = cast<T>(how.velocity.gradient(seeds[i].position, 1e-3 * frame.spacing));
       if constexpr (contains<All, field::HalfSize>)
         get<field::HalfSize>(p) = Vec<T, D>::filled(T(0.5 * frame.spacing / how.per_axis));
       get<field::Mass>(p) = T(material.rho0() * seeds[i].volume);

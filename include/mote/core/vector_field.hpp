@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include <mote/core/vec.hpp>
+#include <mote/core/tensor.hpp>
 
 namespace mote {
 
@@ -33,6 +33,18 @@ class VectorField {
   VectorField(F f) : function_([f](const X& x, double) { return f(x); }) {}
 
   X operator()(const X& x, double time = 0) const { return function_ ? function_(x, time) : constant_; }
+
+  /// Its gradient (i, a) = df_i/dx_a by a central difference over 2 `reach`.
+  Mat<double, D> gradient(const X& x, double reach) const {
+    Mat<double, D> g{};
+    for (int a = 0; function_ && a < D; ++a) {
+      X above = x, below = x;
+      above[a] += reach, below[a] -= reach;
+      const X f = function_(above, 0), b = function_(below, 0);
+      for (int i = 0; i < D; ++i) g(i, a) = (f[i] - b[i]) / (above[a] - below[a]);
+    }
+    return g;
+  }
 };
 
 }  // namespace mote

@@ -63,7 +63,7 @@ class BatchSums {
   static constexpr bool has_second = task == Task::deform || has_increment || has_sharp;
   static constexpr Wanted of_velocity{(strains(task) && task != Task::deform) || (affine && gradient),
                                       affine && !gradient};
-  static constexpr Wanted of_second{task == Task::deform || (affine && detail::takes_gradient<Transfer>), false};
+  static constexpr Wanted of_second{task == Task::deform, false};
   SumColumns<of_velocity, T, D> velocity_;
   SumColumns<of_second, T, D> second_;
 
@@ -88,8 +88,9 @@ class BatchSums {
   }
 
   /// For the pack from particle p of the batch on.
-  [[gnu::always_inline]] GridVelocity<Pack<T>, D> grid_velocity(int p, double spacing) const {
+  [[gnu::always_inline]] GridVelocity<Pack<T>, D> grid_velocity(int p, double spacing, double dt) const {
     GridVelocity<Pack<T>, D> g;
+    g.dt = dt;
     for (int i = 0; i < D; ++i) {
       g.pic[i] = velocity_.value(p, i);
       if constexpr (has_increment) g.increment[i] = second_.value(p, i);
@@ -103,7 +104,6 @@ class BatchSums {
             g.affine(i, a) = scale * velocity_.slope(p, i, a);
           else
             g.affine(i, a) = scale * velocity_.moment(p, i, a);
-          if constexpr (of_second.slopes) g.affine_increment(i, a) = scale * second_.slope(p, i, a);
         }
     }
     return g;
@@ -243,7 +243,7 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
       const int n = std::min(lanes, count - i);
       Values<Pack<T>, D, union_of<fields<field::Position, field::Velocity>, Read, Written>> p;
       body.particles.load(first, n, p);
-      const auto grid_velocity = sums.grid_velocity(i, spacing);
+      const auto grid_velocity = sums.grid_velocity(i, spacing, dt);
       if constexpr (takes_velocity) transfer.update(p, grid_velocity);
       if constexpr (moves) get<field::Position>(p) += grid_velocity.pic * Pack<T>(T(dt));
       if constexpr (strains) {

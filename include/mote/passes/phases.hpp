@@ -139,6 +139,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
     if constexpr (sharpens<Transfer> == Sharpens::grid) ledger_ += sharpen(blocks_.velocity, blocks_.velocity);
+    if constexpr (sharpens<Transfer> == Sharpens::change) ledger_ += sharpen_change();
     if constexpr (sharpens<Transfer> == Sharpens::incoming) {
       for_each_block([&](std::uint32_t b) { copy_block<D>(b, blocks_.velocity, blocks_.sharp); });
       ledger_ += sharpen(blocks_.previous, blocks_.sharp);
@@ -390,10 +391,22 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
 
   /// Adds to a node field what its like loses on the way to the particles and back. \return impulses of the planes
   GridLedger<D> sharpen(const AlignedVector<T>& v, AlignedVector<T>& sharp) {
+    if (transfer_.order == 1) return {};
+    for_each_block([&](std::uint32_t b) { copy_block<D>(b, v, blocks_.residual); });
+    return sharpen_by_residual(sharp);
+  }
+  /// The same for the change of velocity in this step.
+  GridLedger<D> sharpen_change() {
+    if (transfer_.order == 1) return {};
+    for_each_block(
+        [&](std::uint32_t b) { subtract_blocks<D>(b, blocks_.velocity, blocks_.previous, blocks_.residual); });
+    return sharpen_by_residual(blocks_.velocity);
+  }
+  GridLedger<D> sharpen_by_residual(AlignedVector<T>& sharp) {
     return passes::sharpen<Shape>([&](const auto& f) { for_each_awake_tile(f); },
                                   [&](const auto& f) { for_each_block(f); },
-                                  [&](auto& residual) { return hold(residual, {}); }, transfer_.order, v, sharp,
-                                  tiling_, blocks_, frame_, accumulators_.data());
+                                  [&](auto& residual) { return hold(residual, {}); }, transfer_.order, sharp, tiling_,
+                                  blocks_, frame_, accumulators_.data());
   }
 
   template <class B>

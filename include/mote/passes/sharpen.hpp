@@ -93,20 +93,23 @@ template <int D, class T>
 void add_block(std::size_t block, const AlignedVector<T>& from, AlignedVector<T>& to) {
   for (std::size_t i = block * block_numbers<D>; i < (block + 1) * block_numbers<D>; ++i) to[i] += from[i];
 }
+/// to = a - b
+template <int D, class T>
+void subtract_blocks(std::size_t block, const AlignedVector<T>& a, const AlignedVector<T>& b, AlignedVector<T>& to) {
+  for (std::size_t i = block * block_numbers<D>; i < (block + 1) * block_numbers<D>; ++i) to[i] = a[i] - b[i];
+}
 
-/// sharp += (1 - B) v + ... + (1 - B)^(order - 1) v.
+/// sharp += (1 - B) v + ... + (1 - B)^(order - 1) v for the node field v that blocks.residual holds, and loses.
 ///
 /// \param for_each_tile, for_each_block  sweep over what is awake: f(body, tile), f(block)
 /// \param hold  holds a field to the planes and returns the impulses that they give
 /// \return the impulses that the planes give to the corrections
 template <class Shape, class ForEachTile, class ForEachBlock, class Hold, class T, int D>
 GridLedger<D> sharpen(const ForEachTile& for_each_tile, const ForEachBlock& for_each_block, const Hold& hold, int order,
-                      const AlignedVector<T>& v, AlignedVector<T>& sharp, const Tiling<D>& tiling,
-                      grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, T* accumulators) {
+                      AlignedVector<T>& sharp, const Tiling<D>& tiling, grid::Blocks<T, D>& blocks,
+                      const Frame<T, D>& frame, T* accumulators) {
   GridLedger<D> given;
-  if (order == 1) return given;
   AlignedVector<T>& residual = blocks.residual;
-  for_each_block([&](std::uint32_t b) { copy_block<D>(b, v, residual); });
   hold(residual);  // incoming velocities are not held to walls yet
   for (int j = 1; j < order; ++j) {
     for_each_tile([&](const auto& body, std::uint32_t t) {

@@ -12,12 +12,12 @@ namespace mote {
 /// What the grid offers a particle; all sums over its nodes.
 template <class T, int D>
 struct GridVelocity {
+  double dt;            ///< length of the step, s
   Vec<T, D> pic;        ///< sum w v, m/s
   Vec<T, D> increment;  ///< sum w (v - v before the forces), m/s; only if the transfer states `increment`
   Vec<T, D> sharp;      ///< sum w (v + corrections of v before the forces), m/s; only with Sharpens::incoming
   Mat<T, D> affine;     ///< D^-1-weighted moment sum w v (x_i - x_p)^T, or sum v grad w where D is singular, 1/s;
                         ///< only if the transfer states `affine`
-  Mat<T, D> affine_increment;  ///< sum (v - v before the forces) grad w, 1/s; only if the transfer states `gradient`
 };
 
 namespace detail {
@@ -33,6 +33,7 @@ inline constexpr bool takes_gradient<X> = X::gradient;
 enum class Sharpens {
   nothing,
   incoming,  ///< the velocity before the forces, in what the particles take (GridVelocity::sharp); not what moves them
+  change,    ///< the change of velocity by the forces
   grid,      ///< every velocity of the grid, as a better inverse of its mass matrix would
 };
 
@@ -45,7 +46,7 @@ inline constexpr Sharpens sharpens<X> = X::sharpens;
 
 /// X::affine       whether particles carry field::Affine and momentum m w (v + C (x_i - x_p)) goes to the grid
 /// X::increment    whether particles take the grid's change of velocity
-/// X::gradient     optional: whether the affine matrix is the velocity gradient, with its own increment
+/// X::gradient     optional: whether the affine matrix is the velocity gradient with every kernel
 /// X::sharpens     optional, see above; x.order is then the number of terms
 /// x.kept()        the part of its own velocity that a particle keeps, 0 to 1
 /// x.update(values, grid)    sets the particle's field::Velocity (and field::Affine)

@@ -27,7 +27,6 @@ void run_beside(double blend, textbook::Box box, const Sides&... sides) {
   shake(particles, 20);
   Book<Scheme> book(box);
   book.blend = blend;
-  if constexpr (Scheme::affine_flip) book.affine_blend = transfer_of<Scheme>(blend).affine_blend;
   copy_particles(particles, book);
 
   for (int i = 0; i < 20; ++i) {

@@ -47,9 +47,7 @@ using ContiguousGimpApicUsl = Scheme<shape::ContiguousGimp, transfer::Apic, upda
 
 template <class Scheme>
 typename Scheme::Transfer transfer_of(double blend) {
-  if constexpr (Scheme::affine_flip)
-    return {.blend = blend, .affine_blend = 0.9};
-  else if constexpr (Scheme::flip)
+  if constexpr (Scheme::flip || Scheme::affine_flip)
     return {.blend = blend};
   else
     return {};

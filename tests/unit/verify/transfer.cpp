@@ -17,7 +17,7 @@ using namespace mote;
 
 enum class Fault { none, limiter, damped, transposed, kept, forces, packs };
 
-/// transfer::AffineFlip with one mistake.
+/// FLIP that carries the gradient, with one mistake.
 struct Faulty {
   using role = mote::role::Transfer;
   using particle_fields = fields<field::Affine>;
@@ -36,7 +36,7 @@ struct Faulty {
     if (fault == Fault::limiter)                           // clips what is fast
       for (int i = 0; i < D; ++i) beside[i] = min(beside[i], T(1));
     v = grid.pic * T(fault == Fault::damped ? 0.999 : 1) + T(0.95) * beside;
-    c = grid.affine + T(0.95) * (c + grid.affine_increment - grid.affine);
+    c = grid.affine;
     if (fault == Fault::transposed) c = transpose(c);
     if (fault == Fault::packs && !is_pack<T>) c = c * T(1.01);
   }
