@@ -7,7 +7,6 @@ FIELD_TIMES = (0, 0.8, 1.2, 2, 3, 6, 7.2, 9, 11, 12)  # ns, of the figures' and 
 CENTRES, SMALL_RADIUS = (15, 20, 30), 3  # um
 CHOICE_SPEEDS = (100, 400)
 JITTER = 0.1
-DEFAULT = ("--preset", "accurate")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -69,47 +68,45 @@ def paper_runs(s):
                      grid=(12,))
 
 
-def default_runs(s):
-    """The default scheme, on several meshes."""
-    def cavity(name, *options, grid=()):
-        return Run("default_" + name, "cavity", DEFAULT + options, grid)
+def study(name, *options, grid=(), particles=()):
+    """A run of the default scheme; frames at chosen times only."""
+    extra = ("--frame-times", words(grid)) if grid else ()
+    extra += ("--particle-times", words(particles)) if particles else ()
+    return Run(name, "paper_study", ("--preset", "accurate") + options + ("--frames", "0") + extra, grid, particles)
 
-    coarse = s.trend[0]
+
+def default_runs(s):
+    """The default scheme: speeds, places, sizes, fills, no cavity, jitter."""
     for h in s.trend:
         for speed in SPEEDS:
             if speed not in (100, 1000):
-                yield cavity(f"h{h:g}_v{speed}", *mesh(h), "--speed", str(speed), "--frames", "0")
+                yield study(f"default_h{h:g}_v{speed}", *mesh(h), "--speed", str(speed))
     for z in CENTRES:
-        yield cavity(f"centre{z}", *mesh(s.places), "--centre-z", str(z), "--frames", "0")
-    yield cavity(f"radius{SMALL_RADIUS}", *mesh(s.places), "--radius", str(SMALL_RADIUS), "--frames", "0")
-    yield cavity("bar", *mesh(coarse), "--radius", "0", "--until", "9", "--frames", "10", grid=(3, 7, 9))
-    yield cavity("conduction", *mesh(coarse), "--conductivity", "237", "--until", "12", "--frames", "0")
-    yield cavity("lattice", *mesh(coarse), "--fill", "lattice", "--until", "12", "--frames", "2", grid=(12,))
+        yield study(f"default_centre{z}", *mesh(s.places), "--centre-z", str(z))
+    yield study(f"default_radius{SMALL_RADIUS}", *mesh(s.places), "--radius", str(SMALL_RADIUS))
+    coarse = mesh(s.trend[0])
+    yield study("default_bar", *coarse, "--radius", "0", "--until", "9", grid=(3, 7, 9))
+    yield study("default_lattice", *coarse, "--fill", "lattice", "--until", "12", grid=(12,))
     for seed in range(1, s.seeds + 1):
-        yield cavity(f"seed{seed}", *mesh(coarse), "--jitter", str(JITTER), "--seed", str(seed), "--until", "12",
-                     "--frames", "2", grid=(12,))
+        yield study(f"default_seed{seed}", *coarse, "--jitter", str(JITTER), "--seed", str(seed), "--until", "12", grid=(12,))
 
 
 def field_runs(s):
     """The default scheme with frames at the figures' times, to the finest mesh; the longest come last."""
     for h in s.fields:
         for speed, times in ((100, FIELD_TIMES), (1000, (0, 7.2, 12))):
-            particles = (6,) if speed == 100 and h == s.trend[-1] else ()
-            options = DEFAULT + mesh(h) + ("--speed", str(speed), "--frames", "0", "--frame-times", words(times))
+            options = mesh(h) + ("--speed", str(speed))
             if h == s.fields[-1] != s.trend[-1]:
                 options += ("--until", "12")  # the finest mesh: no figure or claim but the end of figure 6 needs more
-            if particles:
-                options += ("--particle-times", words(particles))
-            yield Run(f"default_h{h:g}_v{speed}", "paper_study", options, times, particles)
+            particles = (6,) if speed == 100 and h == s.trend[-1] else ()
+            yield study(f"default_h{h:g}_v{speed}", *options, grid=times, particles=particles)
 
 
 def choice_runs(s, choices):
     """One run per reading of the paper's equations and speed."""
     for name in choices:
         for speed in CHOICE_SPEEDS:
-            options = DEFAULT + mesh(s.trend[0]) + ("--speed", str(speed), "--until", "12", "--frames", "0", "--material",
-                                                 name)
-            yield Run(f"choice_{name}_v{speed}", "paper_study", options)
+            yield study(f"choice_{name}_v{speed}", *mesh(s.trend[0]), "--speed", str(speed), "--until", "12", "--material", name)
 
 
 def all_runs(s, choices):

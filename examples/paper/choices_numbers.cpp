@@ -1,5 +1,5 @@
 /// \file
-/// Choices that only change numbers of the default material, and the complete energy equation.
+/// Choices that only change numbers of the default material, the complete energy equation, and conduction.
 #include <cmath>
 
 #include "study.hpp"
@@ -38,6 +38,15 @@ Result run_full_energy(const Options& o, const Extra& x, const Voice& v) {
   return simulate(mote::Material{pressure_law(), flow_law(o), warmth(), mote::energy::Full{}}, o, x, v);
 }
 
+Result run_conducting(const Options& o, const Extra& x, const Voice& v) {
+  const auto heat = warmth();
+  return simulate(mote::Material{pressure_law(), flow_law(o),
+                                 mote::heat::Conducting{.specific_heat = heat.specific_heat,
+                                                        .initial_temperature = heat.initial_temperature,
+                                                        .conductivity = 237}},
+                  o, x, v);
+}
+
 }  // namespace
 
 const std::vector<Choice> choices_numbers{
@@ -47,6 +56,7 @@ const std::vector<Choice> choices_numbers{
     {"bulk-modulus", "K from Young's modulus and Poisson's ratio (67.6 GPa) instead of c0 (77.3 GPa)",
      run_bulk_modulus},
     {"shear-modulus", "G from c0's K and Poisson's ratio (29.6 GPa) instead of Young's modulus (25.9 GPa)", run_shear_modulus},
-    {"full-energy", "the complete energy equation instead of the plastic work alone", run_full_energy}};
+    {"full-energy", "the complete energy equation instead of the plastic work alone", run_full_energy},
+    {"conducting", "conduction of heat, 237 W/(m K)", run_conducting}};
 
 }  // namespace study

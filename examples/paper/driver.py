@@ -43,7 +43,7 @@ def flat(pairs):
 def plan(run, programs, out):
     """What the program would do: its configuration as text, and its estimates."""
     common, own = split(run.options)
-    command = [programs["cavity"], *flat(common), "--dry-run", "--overwrite", "--out", str(out / run.name)]
+    command = [programs[run.program], *flat(common), "--dry-run", "--overwrite", "--out", str(out / run.name)]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
         raise Trouble(f"{run.name}: {done.stderr.strip()}")

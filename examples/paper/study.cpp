@@ -99,6 +99,14 @@ int run(std::vector<const char*> words) {
   const auto& choice = find(extra.material);
   const cavity::Options options = cavity::parse(int(words.size()), words.data());
   demand_default_scheme(options);
+  if (options.dry_run) {
+    cavity::Combination parts{};
+    parts.bytes_per_particle =
+        cavity::bytes_per_particle<mote::shape::QuadraticBSpline, mote::transfer::AffineFlip, double>();
+    cavity::check_directory(options);
+    std::printf("%s", cavity::plan(options, parts).c_str());
+    return 0;
+  }
   cavity::prepare_directory(options);
   const cavity::Voice voice{
       .progress = [&](const std::string& line) { options.quiet ? void() : void(std::fprintf(stderr, "%s\n", line.c_str())); },

@@ -74,6 +74,12 @@ cavity::Result watch(Solver& solver, const cavity::Options& o, const Extra& extr
 template <class Metal>
 cavity::Result simulate(const Metal& metal, const cavity::Options& o, const Extra& extra, const cavity::Voice& voice) {
   using namespace mote;
+  const auto rest = [&] {
+    if constexpr (requires { metal.heat.conductivity; })
+      return sleep::Never{};  // heat flows in material at rest too
+    else
+      return sleep::Quiescent{.tolerance = o.sleep_tolerance, .enabled = o.sleep.value_or(true)};
+  };
   const double w = cavity::half_width * cavity::um;
   Solver solver{grid::Cartesian<3>{.spacing = o.spacing * cavity::um},
                 shape::QuadraticBSpline{},
@@ -81,7 +87,7 @@ cavity::Result simulate(const Metal& metal, const cavity::Options& o, const Extr
                 update::Usl{},
                 timestep::Cfl{.courant = o.courant},
                 execution::Threads{o.threads},
-                sleep::Quiescent{.tolerance = o.sleep_tolerance, .enabled = o.sleep.value_or(true)},
+                rest(),
                 boundary::Symmetry{.side = side::x_min, .at = 0},
                 boundary::Symmetry{.side = side::x_max, .at = w},
                 boundary::Symmetry{.side = side::y_min, .at = 0},
