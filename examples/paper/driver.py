@@ -9,6 +9,7 @@ was interrupted. Exit codes: 0 done, 1 something failed, 2 the command line is w
 """
 
 import argparse
+import fcntl
 import json
 import os
 import pathlib
@@ -98,14 +99,16 @@ def prune(folder, kind, times):
 
 
 class Job:
-    """A run that is being made."""
+    """A run that is being made. Throws BlockingIOError if another driver is making it."""
 
     def __init__(self, run, programs, out):
         self.run, self.folder, self.start = run, out / run.name, time.monotonic()
+        self.log = open(out / f"{run.name}.log", "a")
+        fcntl.flock(self.log, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        self.log.truncate(0)
         self.folder.mkdir(parents=True, exist_ok=True)
         shutil.rmtree(self.folder / "frames", ignore_errors=True)
         (self.folder / "summary.json").unlink(missing_ok=True)
-        self.log = open(out / f"{run.name}.log", "w")
         command = [programs[run.program], *run.options, "--threads", "1", "--overwrite", "--out", str(self.folder)]
         self.process = subprocess.Popen(command, stdout=self.log, stderr=self.log)
 
@@ -151,7 +154,16 @@ def make_runs(runs, programs, out, jobs, again):
     try:
         while waiting or running:
             while waiting and len(running) < jobs:
-                running.append(Job(waiting.pop(0), programs, out))
+                run = waiting.pop(0)
+                try:
+                    if again or not finished(out / run.name, plans[run.name][0]):
+                        running.append(Job(run, programs, out))
+                        continue
+                    done += 1  # by another driver, meanwhile
+                except BlockingIOError:
+                    waiting.append(run)
+                    time.sleep(1)
+                    break
             time.sleep(0.05)
             for job in [j for j in running if j.process.poll() is not None]:
                 running.remove(job)
