@@ -123,12 +123,6 @@ class Job:
         return None
 
 
-def cost(run, estimates, measured):
-    """Seconds of one core."""
-    ns = measured.get(run.options[1], FIRST_GUESS)
-    return 1e-9 * ns * estimates["particles"] * estimates["steps"]
-
-
 def duration(seconds):
     return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
 
@@ -140,52 +134,75 @@ def remember(measured, run, summary):
         measured[run.options[1]] = max(0.5 * (old + summary["ns_per_particle_step"]), summary["ns_per_particle_step"])
 
 
-def make_runs(runs, programs, out, jobs, again):
-    plans = {run.name: plan(run, programs, out) for run in runs}
-    measured, waiting = {}, []
-    for run in runs:
-        summary = None if again else finished(out / run.name, plans[run.name][0])
-        if summary:
-            remember(measured, run, summary)
-        else:
-            waiting.append(run)
-    print(f"{len(runs) - len(waiting)} of {len(runs)} runs are there", flush=True)
-    running, trouble, done = [], [], len(runs) - len(waiting)
-    try:
-        while waiting or running:
-            while waiting and len(running) < jobs:
-                run = waiting.pop(0)
-                try:
-                    if again or not finished(out / run.name, plans[run.name][0]):
-                        running.append(Job(run, programs, out))
-                        continue
-                    done += 1  # by another driver, meanwhile
-                except BlockingIOError:
-                    waiting.append(run)
-                    time.sleep(1)
-                    break
-            time.sleep(0.05)
-            for job in [j for j in running if j.process.poll() is not None]:
-                running.remove(job)
-                done += 1
-                sentence = job.close()
-                if sentence:
-                    trouble.append(sentence)
-                else:
-                    summary = json.loads((job.folder / "summary.json").read_text())
-                    remember(measured, job.run, summary)
-                    sentence = f"{job.run.name}, {duration(time.monotonic() - job.start)}"
-                    sentence += f" (it broke down: {summary['failure']})" if summary["failure"] else ""
-                left = sum(cost(r, plans[r.name][1], measured) for r in waiting)
-                left += sum(max(0, cost(j.run, plans[j.run.name][1], measured) - (time.monotonic() - j.start))
-                            for j in running)
-                print(f"[{done}/{len(runs)}] {sentence}; about {duration(left / jobs)} left", flush=True)
-    finally:
-        for job in running:
+class Queue:
+    """The runs that are still to be made, and those that are being made."""
+
+    def __init__(self, runs, programs, out, again):
+        self.programs, self.out, self.again, self.total = programs, out, again, len(runs)
+        self.plans = {run.name: plan(run, programs, out) for run in runs}
+        self.measured, self.waiting, self.running, self.trouble = {}, [], [], []
+        for run in runs:
+            summary = None if again else finished(out / run.name, self.plans[run.name][0])
+            if summary:
+                remember(self.measured, run, summary)
+            else:
+                self.waiting.append(run)
+
+    def done(self):
+        return self.total - len(self.waiting) - len(self.running)
+
+    def start_next(self):
+        run = self.waiting.pop(0)
+        if not self.again and finished(self.out / run.name, self.plans[run.name][0]):
+            return  # another driver has made it meanwhile
+        try:
+            self.running.append(Job(run, self.programs, self.out))
+        except BlockingIOError:
+            self.waiting.append(run)
+            time.sleep(1)
+
+    def collect(self):
+        """Takes in the jobs that have ended, and says so."""
+        for job in [j for j in self.running if j.process.poll() is not None]:
+            self.running.remove(job)
+            sentence = job.close()
+            if sentence:
+                self.trouble.append(sentence)
+            else:
+                summary = json.loads((job.folder / "summary.json").read_text())
+                remember(self.measured, job.run, summary)
+                sentence = f"{job.run.name}, {duration(time.monotonic() - job.start)}"
+                sentence += f" (it broke down: {summary['failure']})" if summary["failure"] else ""
+            yield sentence
+
+    def seconds_left(self):
+        """Of one core."""
+        of = {name: 1e-9 * estimates["particles"] * estimates["steps"] for name, (_, estimates) in self.plans.items()}
+        left = sum(of[run.name] * self.measured.get(run.options[1], FIRST_GUESS) for run in self.waiting)
+        return left + sum(max(0, of[job.run.name] * self.measured.get(job.run.options[1], FIRST_GUESS) -
+                              (time.monotonic() - job.start)) for job in self.running)
+
+    def end(self):
+        for job in self.running:
             job.process.terminate()
             job.process.wait()
-    if trouble:
-        raise Trouble("; ".join(trouble))
+
+
+def make_runs(runs, programs, out, jobs, again):
+    queue = Queue(runs, programs, out, again)
+    print(f"{queue.done()} of {len(runs)} runs are there", flush=True)
+    try:
+        while queue.waiting or queue.running:
+            if queue.waiting and len(queue.running) < jobs:
+                queue.start_next()
+            else:
+                time.sleep(0.05)
+            for sentence in queue.collect():
+                print(f"[{queue.done()}/{len(runs)}] {sentence}; about {duration(queue.seconds_left() / jobs)} left", flush=True)
+    finally:
+        queue.end()
+    if queue.trouble:
+        raise Trouble("; ".join(queue.trouble))
 
 
 def under_display(command):
