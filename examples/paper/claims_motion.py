@@ -114,7 +114,7 @@ def valley_row(runs, paper=6):
     close = abs(value - paper) <= max(10, bar)
     return Row("At 7.2 ns a valley of 6 m/s lies between", "least v_z on the axis between the cavity's upper face and the wave",
                f"{paper} m/s", f"{p[0]:.1f} m/s at z = {p[1]:.1f} µm",
-               f"{with_bar(value, bar, 1)} m/s at z = {valley(runs.finest())[1]:.1f} µm", HOLDS if close else QUALITATIVE)
+               f"{with_bar(value, bar, 1)} m/s at z = {valley(runs.finest())[1]:.1f} µm", HOLDS if close else QUALITATIVE + ": a valley, but not so deep")
 
 
 def laws(values, speeds=catalogue.SPEEDS):
@@ -124,7 +124,9 @@ def laws(values, speeds=catalogue.SPEEDS):
     exponent = f" v^{found['power law'][0][1]:.2f}"
     others = ", ".join(f"{name}{exponent if name == 'power law' else ''} +{aic:.0f}" for name, (_, _, aic) in found.items()
                        if name != best)
-    return (f"{best}{exponent if best == 'power law' else ''} (rms {found[best][1]:.0f} m/s; {others})"), best
+    if found[best][1] > 0.25 * np.mean(values):
+        return f"none of the three (rms {100 * found[best][1] / np.mean(values):.0f}% of the mean at best)", "none"
+    return f"{best}{exponent if best == 'power law' else ''} (rms {found[best][1]:.0f} m/s; {others})", best
 
 
 def speed_laws(runs):
