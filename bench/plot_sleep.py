@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """What sleep saves, and what it costs in accuracy, against its tolerance.
 
-    /usr/bin/python3 bench/plot_sleep.py build/gcc-release/examples/cavity/cavity docs/pictures/sleep.png [ROUNDS]
+    /usr/bin/python3 bench/plot_sleep.py build/cavity-release/examples/cavity/cavity docs/pictures/sleep.png [ROUNDS]
 
 Runs `cavity --preset accurate --until 7 --frames 0 --threads 1` with sleep off and on at each tolerance, in turn, ROUNDS
 times (3). Prints a table and draws it: the largest change of any column of history.csv, relative to that column's

@@ -74,8 +74,8 @@ void check_method(const Options& o) {
          "--flip-blend does not go with --transfer ", to_string(o.transfer), "; it needs --transfer flip or aflip");
   demand(!o.flip_blend || (*o.flip_blend >= 0 && *o.flip_blend <= 1), "--flip-blend is ", o.flip_blend.value_or(0),
          "; it must be from 0 to 1");
-  demand(!o.order || o.transfer == Transfer::xpic || o.transfer == Transfer::fmpm,
-         "--order does not go with --transfer ", to_string(o.transfer), "; it needs --transfer xpic or fmpm");
+  demand(!o.order || o.transfer == Transfer::xpic || o.transfer == Transfer::fmpm || o.transfer == Transfer::aflip,
+         "--order does not go with --transfer ", to_string(o.transfer), "; it needs --transfer xpic, fmpm or aflip");
   demand(!o.order || (*o.order >= 1 && *o.order <= 40), "--order is ", o.order.value_or(0),
          "; it must be from 1 to 40");
   demand(o.courant >= 1e-3 && o.courant <= 1, "--courant is ", o.courant, "; it must be from 0.001 to 1");

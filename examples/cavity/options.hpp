@@ -35,7 +35,7 @@ struct Options {
   Shape shape = Shape::quadratic;
   Transfer transfer = Transfer::aflip;
   std::optional<double> flip_blend;  ///< the transfer's own unless given
-  std::optional<int> order;          ///< of XPIC and FMPM; the transfers' own unless given
+  std::optional<int> order;          ///< of XPIC, FMPM and AffineFlip; the transfers' own unless given
   Update update = Update::usl;
   double courant = 0.4;
   Domain domain = Domain::quarter;

@@ -24,6 +24,7 @@ using json = nlohmann::ordered_json;
 json order(const Options& o) {
   if (o.transfer == Transfer::xpic) return o.order.value_or(mote::transfer::Xpic{}.order);
   if (o.transfer == Transfer::fmpm) return o.order.value_or(mote::transfer::Fmpm{}.order);
+  if (o.transfer == Transfer::aflip) return o.order.value_or(mote::transfer::AffineFlip{}.order);
   return nullptr;
 }
 

@@ -34,12 +34,10 @@ auto aluminium(const Options& o) {
 
 template <class T>
 T make_transfer(const Options& o) {
-  if constexpr (requires(T t) { t.blend; })
-    return T{.blend = o.flip_blend.value_or(T{}.blend)};
-  else if constexpr (requires(T t) { t.order; })
-    return T{.order = o.order.value_or(T{}.order)};
-  else
-    return T{};
+  T t;
+  if constexpr (requires { t.blend; }) t.blend = o.flip_blend.value_or(t.blend);
+  if constexpr (requires { t.order; }) t.order = o.order.value_or(t.order);
+  return t;
 }
 
 /// Fills the body. Of the quarter, fill() leaves out what lies beyond the symmetry planes.

@@ -83,7 +83,7 @@ bad_cavities_and_combinations() {
   refuses "less than a cell" --radius 0.5
   refuses "--flip-blend does not go with --transfer apic; it needs --transfer flip or aflip" --flip-blend 0.5 --transfer apic
   refuses "--flip-blend is 2; it must be from 0 to 1" --transfer flip --flip-blend 2
-  refuses "--order does not go with --transfer aflip; it needs --transfer xpic or fmpm" --order 2
+  refuses "--order does not go with --transfer apic; it needs --transfer xpic, fmpm or aflip" --transfer apic --order 2
   refuses "--order is 0; it must be from 1 to 40" --transfer xpic --order 0
   refuses "--transfer xpic is not available with --shape cubic --update usl; flip, apic and aflip" --transfer xpic --shape cubic
   refuses "--precision float is not available with --shape linear --transfer aflip" --precision float --shape linear

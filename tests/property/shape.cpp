@@ -103,6 +103,13 @@ struct Scene {
     AlignedVector<T> field(std::size_t(box.size * width), T(0));
     for (int n = 0; n < box.size; ++n)
       for (int c = 0; c < D; ++c) field[std::size_t(n * width + c)] = f(n, c);
+    return gathered_from(field);
+  }
+
+ private:
+  /// No template, so that it is compiled once for all f.
+  [[gnu::noinline]] std::array<passes::Sums<T, D>, D> gathered_from(const AlignedVector<T>& field) {
+    constexpr int width = grid::node_width<D>;
     constexpr passes::Wanted everything{true, true};
     passes::BatchNodes<S, T, D> nodes;
     nodes.append(xi, box, half);
@@ -123,11 +130,13 @@ struct Scene {
   }
 };
 
-/// Calls f(integral constant D) for D = 1, 2, 3.
-template <class F>
+/// Calls f(integral constant D) for D = 1, 2, 3; of floats, which have no code of their own, for 3.
+template <class T, class F>
 void in_each_dimension(F f) {
-  f(std::integral_constant<int, 1>{});
-  f(std::integral_constant<int, 2>{});
+  if constexpr (std::is_same_v<T, double>) {
+    f(std::integral_constant<int, 1>{});
+    f(std::integral_constant<int, 2>{});
+  }
   f(std::integral_constant<int, 3>{});
 }
 
@@ -200,7 +209,7 @@ TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradie
                    "[shape][passes][property]", KERNELS) {
   using S = typename TestType::Shape;
   using T = typename TestType::number;
-  in_each_dimension([](auto d) {
+  in_each_dimension<T>([](auto d) {
     constexpr int D = d;
     CHECK(rc::check([] {
       Scene<S, T, D> scene;
@@ -220,7 +229,7 @@ TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradie
 
 TEMPLATE_TEST_CASE("stencil: a constant field has neither gradient nor moment", "[shape][passes][property]", KERNELS) {
   using T = typename TestType::number;
-  in_each_dimension([](auto d) {
+  in_each_dimension<T>([](auto d) {
     constexpr int D = d;
     CHECK(rc::check([] {
       Scene<typename TestType::Shape, T, D> scene;
@@ -238,7 +247,7 @@ TEMPLATE_TEST_CASE("stencil: a constant field has neither gradient nor moment", 
 
 TEMPLATE_TEST_CASE("stencil: scattering is the transpose of gathering", "[shape][passes][property]", KERNELS) {
   using T = typename TestType::number;
-  in_each_dimension([](auto d) {
+  in_each_dimension<T>([](auto d) {
     constexpr int D = d;
     CHECK(rc::check([] {
       using S = typename TestType::Shape;
@@ -294,7 +303,9 @@ struct LinearField {
 template <class S, class T, int D, class Plane>
 void check_mirrored_field(const Plane& plane, bool wall) {
   const double dt = 0.01;
-  const Material dust{eos::LinearBulk{.rho0 = 1, .bulk_modulus = 1e-30}};
+  const Material dust{eos::MieGruneisen{.rho0 = 1, .c0 = 1e-16, .lambda = 1.34, .gamma0 = 1.96},
+                      strength::VonMises{.shear_modulus = 1e-30, .yield = 1},
+                      heat::Adiabatic{.specific_heat = 880}};  // the type of kernels/kernels.hpp, without its stress
   const LinearField<D> field(plane.side.axis, wall);
   Solver solver{grid::Cartesian<D, T>{.spacing = 1},
                 S{},
@@ -336,7 +347,7 @@ TEMPLATE_TEST_CASE("shape: with the images beyond a plane, a field that obeys it
                    "[shape][boundary][property]", KERNELS) {
   using S = typename TestType::Shape;
   using T = typename TestType::number;
-  in_each_dimension([](auto d) {
+  in_each_dimension<T>([](auto d) {
     constexpr int D = d;
     CHECK(rc::check([] {
       const Side side{*rc::gen::inRange(0, D), *rc::gen::arbitrary<bool>()};

@@ -222,14 +222,11 @@ class Conduction<T, D, true> {
   /// Conducts for the time dt. `for_each_tile(f)` calls f(body, tile) for the tiles of all bodies.
   template <class Shape, class ForEachTile, class Executor>
   void conduct(double dt, const ForEachTile& for_each_tile, const Executor& executor, const Tiling<D>& tiling,
-               const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, const Frame<T, D>& frame,
-               T* accumulators) {
+               const grid::Blocks<T, D>& blocks, const Orbits<D>& orbits, const Frame<T, D>& frame, T* accumulators) {
     const double rounds = std::max(1.0, std::ceil(dt / limit_ - 1e-9)), relaxed = std::min(1.0, dt / (rounds * limit_));
     const auto on_grid = [&](auto&& block, auto&& orbit) {
       executor.for_each(blocks.index.size(), [&](std::size_t b) { block(std::uint32_t(b)); });
-      executor.for_each(tiling.plane_blocks.size(), [&](std::size_t i) {
-        for_each_orbit(tiling.plane_blocks[i], blocks, domain, Shape::support, orbit);
-      });
+      executor.for_each(orbits.blocks(), [&](std::size_t i) { for_each_orbit(i, orbits, orbit); });
     };
     for (double round = 0; round < rounds; ++round) {
       for_each_tile([&](auto& body, const Tile<D>& tile) { scatter_heat<Shape>(body, tile, frame, accumulators); });
@@ -265,17 +262,21 @@ class Conduction<T, D, true> {
                            const F& f) {
     constexpr int width = 2, nodes = grid::block_nodes<D>;
     alignas(64) T sums[nodes * width];
-    sum_tiles<width>(block, tiling, accumulators, support, sums);
-    for (int i = 0; i < nodes; ++i) f(std::size_t(block) * nodes + std::size_t(i), sums + i * width);
+    const auto of_node = [&](int i) { f(std::size_t(block) * nodes + std::size_t(i), sums + i * width); };
+    for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), of_node, [&](int row) {
+      std::fill_n(sums + row * width, grid::block_edge * width, T(0));
+      for (int i = row; i < row + grid::block_edge; ++i) of_node(i);
+    });
   }
 
-  /// Calls f(images) for the nodes of a block that have images beyond planes.
+  /// Calls f(images) for the nodes of a block near planes that have images beyond them.
   template <class F>
-  void for_each_orbit(std::uint32_t block, const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support,
-                      const F& f) const {
+  void for_each_orbit(std::size_t plane_block, const Orbits<D>& orbits, const F& f) const {
     Images<D> images;
-    for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i)
-      if (images.find(std::size_t(block) * grid::block_nodes<D> + i, domain, blocks, capacity_, support)) f(images);
+    for (const Orbit<D>& orbit : orbits.of_block(plane_block)) {
+      images.take(orbits, orbit, capacity_);
+      if (images.count > 1) f(images);
+    }
   }
   /// From here on each image has the capacity of all.
   void share_temperature(const Images<D>& images) {

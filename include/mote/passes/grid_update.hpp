@@ -28,20 +28,28 @@ struct GridLedger {
   }
 };
 
+/// Rows of a block's nodes along the last axis, a bit each.
+using Rows = std::uint32_t;
+template <int D>
+inline constexpr int rows_of_block = grid::block_nodes<D> / grid::block_edge;
+
 /// Sums the records of all tiles that reach a block, in the order of tiles.
-/// \return whether any does
+/// \return the rows that any reaches; the sums of the others are not set. A block beyond a plane has few.
 template <int width, class T, int D>
-bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support, T* sums) {
+Rows sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support, T* sums) {
   using Record = Simd<T, width>;
-  std::fill_n(sums, grid::block_nodes<D> * width, T(0));
-  bool touched = false;
+  Rows touched = 0;
   for (std::uint32_t k = tiling.block_links_begin[block]; k < tiling.block_links_begin[block + 1]; ++k) {
     const Link<D>& link = tiling.links[tiling.block_links[k]];
     const Tile<D>& tile = tiling.tiles[link.tile];
     const T* from = accumulators + tile.buffer * width;
     for_each_row(
         link, NodeBox<D>(tile, support), [&](int in_box, int in_block, auto count) __attribute__((always_inline)) {
-          touched = true;
+          const int row = in_block / grid::block_edge;
+          if (!(touched >> row & 1)) {
+            std::fill_n(sums + row * grid::block_edge * width, grid::block_edge * width, T(0));
+            touched |= Rows(1) << row;
+          }
           unrolled<count>([&](auto i) __attribute__((always_inline)) {
             T* to = sums + (in_block + i) * width;
             write(Record(read<Record>(to) + read<Record>(from + std::ptrdiff_t(in_box + i) * width)), to);
@@ -49,6 +57,25 @@ bool sum_tiles(std::uint32_t block, const Tiling<D>& tiling, const T* accumulato
         });
   }
   return touched;
+}
+
+/// Calls f(i) for the nodes of a block in the rows that are touched, in order, and g(first) for each row that is not.
+template <int D, class F, class G>
+void for_each_node(Rows touched, const F& f, const G& g) {
+  for (int row = 0; row < rows_of_block<D>; ++row) {
+    const int first = row * grid::block_edge;
+    if (touched >> row & 1)
+      for (int i = first; i < first + grid::block_edge; ++i) f(i);
+    else
+      g(first);
+  }
+}
+
+/// Zero on a row of nodes.
+template <int D, class T>
+void clear_row(AlignedVector<T>& field, std::size_t first) {
+  constexpr std::size_t half = grid::node_width<D>;
+  std::fill_n(field.data() + first * half, grid::block_edge * half, T(0));
 }
 
 /// A node's mass, or none if it is so small that its inverse would overflow.
@@ -74,17 +101,11 @@ template <class T, int D, class Loads>
 [[gnu::noinline]] GridLedger<D> accelerate_block(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators,
                                                  int support, grid::Blocks<T, D>& blocks, const Frame<T, D>& frame,
                                                  const Loads& loads, double time, double dt) {
-  constexpr int half = grid::node_width<D>, width = MomentumAndForce<T, D>::width, nodes = grid::block_nodes<D>;
+  constexpr int width = MomentumAndForce<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
   GridLedger<D> ledger;
   const std::size_t first = std::size_t(block) * nodes;
-  if (!sum_tiles<width>(block, tiling, accumulators, support, sums)) {
-    std::fill_n(blocks.mass.data() + first, nodes, T(0));
-    std::fill_n(blocks.velocity.data() + first * half, nodes * half, T(0));
-    std::fill_n(blocks.previous.data() + first * half, nodes * half, T(0));
-    return ledger;
-  }
-  for (int i = 0; i < nodes; ++i) {
+  const auto update = [&](int i) {
     const T* record = sums + i * width;
     const std::size_t node = first + std::size_t(i);
     const T m = solid(record[2 * D]), over_m = m > T(0) ? T(1) / m : T(0);
@@ -104,11 +125,17 @@ template <class T, int D, class Loads>
     ledger.work += double(m * dot(gain, old + T(0.5) * gain));
     set_node_vector(blocks.previous.data(), node, old);
     set_node_vector(blocks.velocity.data(), node, old + gain);
-  }
+  };
+  for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), update, [&](int row) {
+    std::fill_n(blocks.mass.data() + first + std::size_t(row), grid::block_edge, T(0));
+    clear_row<D>(blocks.velocity, first + std::size_t(row));
+    clear_row<D>(blocks.previous, first + std::size_t(row));
+  });
   return ledger;
 }
 
-/// Holds the velocities of a block's nodes, and of their images, to the planes; books impulses and losses.
+/// Holds the velocities of the nodes of a block near planes, and of their images, to the planes; books impulses and
+/// losses.
 ///
 /// A virtual mirrored body shares its momentum with the real one, node by node: v = (p + S p')/(m + m'), which is the
 /// Galerkin reduction to velocity fields that the mirror maps on themselves. The velocity before the forces is that of
@@ -118,17 +145,17 @@ template <class T, int D, class Loads>
 /// someone at rest differs from that by u p + m u^2/2, so that a change of momentum dp brings u dp more.
 /// \param kept the part of its own velocity that a particle keeps (Transfer)
 template <class T, int D>
-[[gnu::noinline]] GridLedger<D> hold_to_planes(std::uint32_t block, grid::Blocks<T, D>& blocks,
-                                               const grid::Domain<D>& domain, int support, double kept,
+[[gnu::noinline]] GridLedger<D> hold_to_planes(std::size_t plane_block, const Orbits<D>& orbits,
+                                               grid::Blocks<T, D>& blocks, double kept,
                                                const Vec<double, D>& frame_velocity) {
   GridLedger<D> ledger;
   Images<D> images;
   images.frame_velocity = frame_velocity;
   const Vec<T, D> u = cast<T>(frame_velocity);
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
-  for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
-    const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
-    if (!images.find(node, domain, blocks, support)) continue;
+  for (const Orbit<D>& orbit : orbits.of_block(plane_block)) {
+    images.take(orbits, orbit, blocks.mass);
+    if (!images.bound()) continue;
     T mass;
     const Vec<T, D> v = images.mean(blocks, blocks.velocity, mass), old = images.mean(blocks, blocks.previous, mass);
     ledger.work += energy(mass, v) - energy(mass, old);
@@ -141,10 +168,10 @@ template <class T, int D>
       const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), image.node), held = u + images.reflect(v, image),
                       before = node_vector<T, D>(blocks.previous.data(), image.node);
       const Vec<T, D> push = m * (held - raw - T(kept) * (whole[k] - before));
-      for (std::size_t c = 0; c < std::size_t(D); ++c)
-        if (images.held[c] >= 0) {
-          ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
-          ledger.piston_work += double(push[int(c)]) * frame_velocity[int(c)];
+      for (int c = 0; c < D; ++c)
+        if (images.holds(c)) {
+          ledger.impulse[images.holder(c)][c] += double(push[c]);
+          ledger.piston_work += double(push[c]) * frame_velocity[c];
         }
       ledger.wall_loss += energy(m, whole[k] - u);
       ledger.work -= energy(m, raw) - energy(m, before) - double(m * dot(u, held - whole[k]));
@@ -161,15 +188,19 @@ template <class T, int D>
                                     grid::Blocks<T, D>& blocks) {
   constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
-  sum_tiles<width>(block, tiling, accumulators, support, sums);
-  for (int i = 0; i < nodes; ++i) {
-    const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
+  const std::size_t first = std::size_t(block) * nodes;
+  const auto divide = [&](int i) {
+    const std::size_t node = first + std::size_t(i);
     const T m = solid(sums[i * width + D]), over_m = m > T(0) ? T(1) / m : T(0);
     blocks.mass[node] = m;
     Vec<T, D> v{};
     for (int a = 0; a < D; ++a) v[a] = over_m * sums[i * width + a];
     set_node_vector(blocks.velocity.data(), node, v);
-  }
+  };
+  for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), divide, [&](int row) {
+    std::fill_n(blocks.mass.data() + first + std::size_t(row), grid::block_edge, T(0));
+    clear_row<D>(blocks.velocity, first + std::size_t(row));
+  });
 }
 
 /// The velocity field that the particles' new momenta make, before any plane.
@@ -178,35 +209,36 @@ template <class T, int D>
                                    grid::Blocks<T, D>& blocks) {
   constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
-  sum_tiles<width>(block, tiling, accumulators, support, sums);
-  for (int i = 0; i < nodes; ++i) {
-    const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
-    const T m = blocks.mass[node];
+  const std::size_t first = std::size_t(block) * nodes;
+  const auto divide = [&](int i) {
+    const std::size_t node = first + std::size_t(i);
+    const T m = blocks.mass[node], over_m = m > T(0) ? T(1) / m : T(0);
     Vec<T, D> v{};
-    for (int a = 0; a < D; ++a) v[a] = m > T(0) ? sums[i * width + a] / m : T(0);
+    for (int a = 0; a < D; ++a) v[a] = over_m * sums[i * width + a];
     set_node_vector(blocks.remapped.data(), node, v);
-  }
+  };
+  for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), divide,
+                   [&](int row) { clear_row<D>(blocks.remapped, first + std::size_t(row)); });
 }
 
 /// Holds a velocity field to the planes. \return the impulses that this takes, of velocities that the particles get
 template <class T, int D>
-[[gnu::noinline]] GridLedger<D> hold_field(std::uint32_t block, AlignedVector<T>& field,
-                                           const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support,
-                                           const Vec<double, D>& frame_velocity) {
+[[gnu::noinline]] GridLedger<D> hold_field(std::size_t plane_block, const Orbits<D>& orbits, AlignedVector<T>& field,
+                                           const grid::Blocks<T, D>& blocks, const Vec<double, D>& frame_velocity) {
   GridLedger<D> ledger;
   Images<D> images;
   images.frame_velocity = frame_velocity;
-  for (std::size_t i = 0; i < std::size_t(grid::block_nodes<D>); ++i) {
-    const std::size_t node = std::size_t(block) * grid::block_nodes<D> + i;
-    if (!images.find(node, domain, blocks, support)) continue;
+  for (const Orbit<D>& orbit : orbits.of_block(plane_block)) {
+    images.take(orbits, orbit, blocks.mass);
+    if (!images.bound()) continue;
     T mass;
     const Vec<T, D> v = images.mean(blocks, field, mass);
     for (int k = 0; k < images.count; ++k) {
       const auto& image = images.image[std::size_t(k)];
       const Vec<T, D> held = cast<T>(frame_velocity) + images.reflect(v, image),
                       push = blocks.mass[image.node] * (held - node_vector<T, D>(field.data(), image.node));
-      for (std::size_t c = 0; c < std::size_t(D); ++c)
-        if (images.held[c] >= 0) ledger.impulse[std::size_t(images.held[c])][int(c)] += double(push[int(c)]);
+      for (int c = 0; c < D; ++c)
+        if (images.holds(c)) ledger.impulse[images.holder(c)][c] += double(push[c]);
       set_node_vector(field.data(), image.node, held);
     }
   }

@@ -48,6 +48,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
   [[no_unique_address]] Conduction<T, D, conducts> conduction_;
   [[no_unique_address]] Surface<Loads, D> surface_;
   Linker<T, D> linker_;
+  Orbits<D> orbits_;
   grid::Blocks<T, D> blocks_;
   AlignedVector<T> accumulators_;
   std::vector<TileReport> reports_;
@@ -125,17 +126,15 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
 
   /// Velocities of all nodes after forces, loads and boundaries, sharpened as the transfer wants it.
   void update_grid() {
-    block_ledgers_.assign(blocks_.index.size() + tiling_.plane_blocks.size(), {});
+    block_ledgers_.assign(blocks_.index.size() + orbits_.blocks(), {});
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
       if (idle(b)) return blocks_.empty(b);
       block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
                                            frame_, loads_, time_, dt_);
     });
     if constexpr (loads_surfaces) load_surfaces();
-    executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
-      if (idle(tiling_.plane_blocks[i])) return;
-      block_ledgers_[blocks_.index.size() + i] =
-          hold_to_planes(tiling_.plane_blocks[i], blocks_, domain_, Shape::support, transfer_.kept(), frame_velocity_);
+    for_each_plane_block([&](std::size_t i) {
+      block_ledgers_[blocks_.index.size() + i] = hold_to_planes(i, orbits_, blocks_, transfer_.kept(), frame_velocity_);
     });
     for (const auto& l : block_ledgers_) ledger_ += l;
     if constexpr (sharpens<Transfer> == Sharpens::grid) ledger_ += sharpen(blocks_.velocity, blocks_.velocity);
@@ -213,6 +212,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
       sorter.template operator()<Shape>(body, tiling_.tiles, frame_, domain_, executor_, lost);
     });
     linker_(tiling_, blocks_, domain_, Shape::support, Shape::first);
+    orbits_.find(blocks_, domain_, Shape::support);
     blocks_.allocate(remaps_, sharpens<Transfer> == Sharpens::incoming, sharpens<Transfer> != Sharpens::nothing);
     if constexpr (conducts) conduction_.allocate(blocks_.nodes());
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));  // the numbers of blocks have changed
@@ -226,7 +226,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;
     reserve_amply(accumulators_, numbers);
     accumulators_.resize(numbers);
-    reserve_amply(block_ledgers_, blocks_.index.size() + tiling_.plane_blocks.size());
+    reserve_amply(block_ledgers_, blocks_.index.size() + orbits_.blocks());
     if (std::any_of(tiling_.tiles.begin(), tiling_.tiles.end(), [](const auto& t) { return t.unlinked(); }))
       throw NumericalError(
           "mote: the number type does not resolve positions to a cell; put the grid's origin nearer to the particles, "
@@ -348,7 +348,7 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     const auto all = [&](const auto& f) {
       for_each_tile([&](auto& body, std::uint32_t t) { f(body, tiling_.tiles[t]); });
     };
-    conduction_.template conduct<Shape>(due, all, executor_, tiling_, blocks_, domain_, frame_, accumulators_.data());
+    conduction_.template conduct<Shape>(due, all, executor_, tiling_, blocks_, orbits_, frame_, accumulators_.data());
   }
 
   bool awake(std::uint32_t tile) const {
@@ -375,15 +375,19 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     });
   }
 
+  template <class F>
+  void for_each_plane_block(const F& f) {
+    executor_.for_each(orbits_.blocks(), [&](std::size_t i) {
+      if (!idle(orbits_.block(i))) f(i);
+    });
+  }
+
   /// Holds a node field to the planes, which move with frame_velocity (differences of velocities: with none). \return
   /// what impulses that takes
   GridLedger<D> hold(AlignedVector<T>& field, const Vec<double, D>& frame_velocity) {
-    block_ledgers_.assign(tiling_.plane_blocks.size(), {});
-    executor_.for_each(tiling_.plane_blocks.size(), [&](std::size_t i) {
-      if (!idle(tiling_.plane_blocks[i]))
-        block_ledgers_[i] =
-            hold_field(tiling_.plane_blocks[i], field, blocks_, domain_, Shape::support, frame_velocity);
-    });
+    block_ledgers_.assign(orbits_.blocks(), {});
+    for_each_plane_block(
+        [&](std::size_t i) { block_ledgers_[i] = hold_field(i, orbits_, field, blocks_, frame_velocity); });
     GridLedger<D> given;
     for (const auto& l : block_ledgers_) given += l;
     return given;

@@ -72,14 +72,16 @@ template <class T, int D>
                                          int support, grid::Blocks<T, D>& blocks) {
   constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
-  sum_tiles<width>(block, tiling, accumulators, support, sums);
-  for (int i = 0; i < nodes; ++i) {
-    const std::size_t node = std::size_t(block) * nodes + std::size_t(i);
-    const T m = blocks.mass[node];
+  const std::size_t first = std::size_t(block) * nodes;
+  const auto subtract = [&](int i) {
+    const std::size_t node = first + std::size_t(i);
+    const T m = blocks.mass[node], over_m = m > T(0) ? T(1) / m : T(0);
     Vec<T, D> d = node_vector<T, D>(blocks.residual.data(), node);
-    for (int a = 0; a < D; ++a) d[a] = m > T(0) ? d[a] - sums[i * width + a] / m : T(0);
+    for (int a = 0; a < D; ++a) d[a] = m > T(0) ? d[a] - over_m * sums[i * width + a] : T(0);
     set_node_vector(blocks.residual.data(), node, d);
-  }
+  };
+  for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), subtract,
+                   [&](int row) { clear_row<D>(blocks.residual, first + std::size_t(row)); });
 }
 
 template <int D>

@@ -126,7 +126,6 @@ struct Tiling {
   std::vector<Link<D>> links;                    ///< by tile
   std::vector<std::uint32_t> block_links_begin;  ///< per block, into block_links; one more than blocks
   std::vector<std::uint32_t> block_links;        ///< numbers of links, by block, in the order of tiles
-  std::vector<std::uint32_t> plane_blocks;       ///< blocks with nodes that a mirror plane changes
 
   /// Gives each tile its place in the accumulators, with room for the largest box; what is not used is never touched.
   /// \return nodes in all
@@ -166,7 +165,6 @@ class Linker {
       tile.links_end = std::uint32_t(tiling.links.size());
     }
     sort_by_block(tiling, blocks.index.size());
-    find_plane_blocks(tiling, blocks, domain, support);
   }
 
  private:
@@ -223,21 +221,6 @@ class Linker {
     for (std::uint32_t i = 0; i < tiling.links.size(); ++i) tiling.block_links[begin[tiling.links[i].block]++] = i;
     for (std::size_t b = block_count; b > 0; --b) begin[b] = begin[b - 1];
     begin[0] = 0;
-  }
-
-  static void find_plane_blocks(Tiling<D>& tiling, const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain,
-                                int support) {
-    tiling.plane_blocks.clear();
-    for (std::uint32_t b = 0; b < blocks.index.size(); ++b) {
-      bool near = false;
-      for (int a = 0; a < D; ++a)
-        for (int end = 0; end < 2; ++end)
-          if (const auto& plane = domain.plane(a, end)) {
-            const std::int32_t first = blocks.index[b][a] * grid::block_edge;
-            near |= first <= plane->node + ghosts(support) && first + grid::block_edge > plane->node - ghosts(support);
-          }
-      if (near) tiling.plane_blocks.push_back(b);
-    }
   }
 };
 

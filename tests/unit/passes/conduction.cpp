@@ -163,7 +163,7 @@ double mode_error(int n, double wave_number, double phase, int every, double ste
   const double limit = spacing * spacing / (2 * D * alpha), end = 1 / rate;
   const int steps = every * int(std::ceil(end / limit * steps_per_limit / every));
   const auto m = metal(every);
-  Solver solver{grid::Cartesian<D>{.spacing = spacing}, Shape{}, transfer::Apic{},
+  Solver solver{grid::Cartesian<D>{.spacing = spacing}, Shape{}, transfer::Flip{},
                 timestep::Fixed{.dt = end / steps},     m,       sides...};
   solver.fill(geometry::Box<D>{.lower = {}, .upper = Vec<double, D>::filled(length)}, m);
   solver.refresh();
