@@ -42,8 +42,8 @@ struct Stretched {
   friend bool operator==(const Stretched&, const Stretched&) = default;
 };
 
-/// P_H = rho0 c0^2 (x - 1), as printed. Stretched metal then pushes, and has no speed of sound; that of the time step is
-/// taken of the slope's size.
+/// P_H = rho0 c0^2 (x - 1), as printed. Stretched metal then pushes, and has no speed of sound; that of the time step
+/// is taken of the slope's size.
 struct AsPrinted {
   template <class T>
   static T pressure(const mote::eos::MieGruneisen& e, const T& x) {
@@ -79,8 +79,8 @@ Result run_gamma(const Options& o, const Extra& x, const Voice& v) {
   return simulate(mote::Material{mote::eos::ConstantGamma{pressure_law()}, flow_law(o), warmth()}, o, x, v);
 }
 Result run_spall(const Options& o, const Extra& x, const Voice& v) {
-  return simulate(
-      mote::Material{mote::eos::TensionCutoff{pressure_law(), {.limit = 1.2e9}}, flow_law(o), warmth()}, o, x, v);
+  return simulate(mote::Material{mote::eos::TensionCutoff{pressure_law(), {.limit = 1.2e9}}, flow_law(o), warmth()}, o,
+                  x, v);
 }
 
 }  // namespace

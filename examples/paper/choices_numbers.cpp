@@ -55,7 +55,8 @@ const std::vector<Choice> choices_numbers{
     {"no-hardening", "H_iso = 0", run_no_hardening},
     {"bulk-modulus", "K from Young's modulus and Poisson's ratio (67.6 GPa) instead of c0 (77.3 GPa)",
      run_bulk_modulus},
-    {"shear-modulus", "G from c0's K and Poisson's ratio (29.6 GPa) instead of Young's modulus (25.9 GPa)", run_shear_modulus},
+    {"shear-modulus", "G from c0's K and Poisson's ratio (29.6 GPa) instead of Young's modulus (25.9 GPa)",
+     run_shear_modulus},
     {"full-energy", "the complete energy equation instead of the plastic work alone", run_full_energy},
     {"conducting", "conduction of heat, 237 W/(m K)", run_conducting}};
 

@@ -65,13 +65,13 @@ Result run_exponential(const Options& o, const Extra& x, const Voice& v) {
 }
 Result misprinted(const Options& o, const Extra& x, const Voice& v, double factor) {
   const auto flow = flow_law(o);
-  return simulate(mote::Material{pressure_law(),
-                                 MisprintedTheta{.shear_modulus = flow.shear_modulus,
-                                                 .yield = flow.yield,
-                                                 .hardening = flow.hardening,
-                                                 .factor = factor},
-                                 warmth()},
-                  o, x, v);
+  return simulate(
+      mote::Material{
+          pressure_law(),
+          MisprintedTheta{
+              .shear_modulus = flow.shear_modulus, .yield = flow.yield, .hardening = flow.hardening, .factor = factor},
+          warmth()},
+      o, x, v);
 }
 Result run_theta(const Options& o, const Extra& x, const Voice& v) { return misprinted(o, x, v, 1); }
 Result run_half_theta(const Options& o, const Extra& x, const Voice& v) { return misprinted(o, x, v, 0.5); }

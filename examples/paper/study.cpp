@@ -1,10 +1,11 @@
 /// \file
-/// paper_study: the cavity program's scene and default scheme with one reading of the paper's equations, and with frames
-/// at chosen times:
+/// paper_study: the cavity program's scene and default scheme with one reading of the paper's equations, and with
+/// frames at chosen times:
 ///
 ///     paper_study [--material NAME] [--frame-times T,T,...] [--particle-times T,T,...] [options of cavity]
 ///
-/// Times in ns. `--material list` names the readings. Frames hold the quarter that is simulated. Exit codes as cavity's.
+/// Times in ns. `--material list` names the readings. Frames hold the quarter that is simulated. Exit codes as
+/// cavity's.
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -72,9 +73,10 @@ study::Extra take(std::vector<const char*>& words) {
 
 void demand_default_scheme(const cavity::Options& o) {
   const cavity::Options usual;
-  if (o.shape != usual.shape || o.transfer != usual.transfer || o.update != usual.update ||
-      o.domain != usual.domain || o.precision != usual.precision || o.conductivity > 0)
-    throw BadOption("paper_study runs the default scheme only, on a quarter and without conduction; cavity runs others");
+  if (o.shape != usual.shape || o.transfer != usual.transfer || o.update != usual.update || o.domain != usual.domain ||
+      o.precision != usual.precision || o.conductivity > 0)
+    throw BadOption(
+        "paper_study runs the default scheme only, on a quarter and without conduction; cavity runs others");
 }
 
 /// summary.json as cavity writes it, and what this program adds to the configuration.
@@ -109,7 +111,8 @@ int run(std::vector<const char*> words) {
   }
   cavity::prepare_directory(options);
   const cavity::Voice voice{
-      .progress = [&](const std::string& line) { options.quiet ? void() : void(std::fprintf(stderr, "%s\n", line.c_str())); },
+      .progress =
+          [&](const std::string& line) { options.quiet ? void() : void(std::fprintf(stderr, "%s\n", line.c_str())); },
       .seconds = 10,
       .notice = [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); }};
   const auto start = std::chrono::steady_clock::now();
