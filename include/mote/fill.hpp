@@ -13,7 +13,7 @@ namespace mote {
 /// How Solver::fill places particles.
 template <int D>
 struct Fill {
-  int per_axis = 2;           ///< particles per cell and axis, 1 to 64
+  int per_axis = 2;  ///< particles per cell and axis, 1 to 64
   /// Initial velocity, m/s: constant or a function of position, whose gradient field::Affine gets (by differences, so
   /// that it is also asked a thousandth of a cell beside each particle).
   VectorField<D> velocity{};

@@ -261,12 +261,9 @@ class Conduction<T, D, true> {
   static void for_each_sum(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators, int support,
                            const F& f) {
     constexpr int width = 2, nodes = grid::block_nodes<D>;
-    alignas(64) T sums[nodes * width];
-    const auto of_node = [&](int i) { f(std::size_t(block) * nodes + std::size_t(i), sums + i * width); };
-    for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), of_node, [&](int row) {
-      std::fill_n(sums + row * width, grid::block_edge * width, T(0));
-      for (int i = row; i < row + grid::block_edge; ++i) of_node(i);
-    });
+    alignas(64) T sums[nodes * width] = {};
+    sum_tiles<width>(block, tiling, accumulators, support, sums);
+    for (int i = 0; i < nodes; ++i) f(std::size_t(block) * nodes + std::size_t(i), sums + i * width);
   }
 
   /// Calls f(images) for the nodes of a block near planes that have images beyond them.

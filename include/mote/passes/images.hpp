@@ -66,6 +66,7 @@ class Orbits {
     orbits_.clear();
     images_.clear();
     for (std::uint32_t b = 0; b < blocks.index.size(); ++b) {
+      if (!near_plane(blocks.index[b], domain, support)) continue;
       const auto before = std::uint32_t(orbits_.size());
       for (std::uint32_t i = 0; i < std::uint32_t(grid::block_nodes<D>); ++i)
         add(b * std::uint32_t(grid::block_nodes<D>) + i, blocks, domain, support);
@@ -81,6 +82,17 @@ class Orbits {
     IVec<D> at;
     Image<D> image;
   };
+
+  static bool near_plane(const IVec<D>& block, const grid::Domain<D>& domain, int support) {
+    bool near = false;
+    for (int a = 0; a < D; ++a)
+      for (int end = 0; end < 2; ++end)
+        if (const auto& plane = domain.plane(a, end)) {
+          const std::int32_t first = block[a] * grid::block_edge;
+          near |= first <= plane->node + ghosts(support) && first + grid::block_edge > plane->node - ghosts(support);
+        }
+    return near;
+  }
 
   /// Layers from a plane into the domain.
   static std::int32_t depth(const grid::Plane<D>& plane, int axis, int end, const IVec<D>& node) {

@@ -393,13 +393,25 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     return given;
   }
 
+  /// The sum of f(block) over blocks that are awake, in their order.
+  template <class F>
+  double sum_over_blocks(const F& f) {
+    block_ledgers_.assign(blocks_.index.size(), {});
+    for_each_block([&](std::uint32_t b) { block_ledgers_[b].work = f(b); });
+    double sum = 0;
+    for (const auto& l : block_ledgers_) sum += l.work;
+    return sum;
+  }
+
   /// Adds to a node field what its like loses on the way to the particles and back. \return impulses of the planes
   GridLedger<D> sharpen(const AlignedVector<T>& v, AlignedVector<T>& sharp) {
     if (transfer_.order == 1) return {};
     for_each_block([&](std::uint32_t b) { copy_block<D>(b, v, blocks_.residual); });
-    return sharpen_by_residual(sharp);
+    GridLedger<D> given = sharpen_by_residual(sharp);
+    given.work = given.piston_work;  // v is no change by forces
+    return given;
   }
-  /// The same for the change of velocity in this step.
+  /// The same for the change of velocity in this step, with the work that its forces do on the corrections.
   GridLedger<D> sharpen_change() {
     if (transfer_.order == 1) return {};
     for_each_block(
@@ -407,10 +419,13 @@ class Phases<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Material
     return sharpen_by_residual(blocks_.velocity);
   }
   GridLedger<D> sharpen_by_residual(AlignedVector<T>& sharp) {
-    return passes::sharpen<Shape>([&](const auto& f) { for_each_awake_tile(f); },
-                                  [&](const auto& f) { for_each_block(f); },
-                                  [&](auto& residual) { return hold(residual, {}); }, transfer_.order, sharp, tiling_,
-                                  blocks_, frame_, accumulators_.data());
+    GridLedger<D> given = passes::sharpen<Shape>([&](const auto& f) { for_each_awake_tile(f); },
+                                                 [&](const auto& f) { return sum_over_blocks(f); },
+                                                 [&](auto& residual) { return hold(residual, {}); }, transfer_.order,
+                                                 sharp, tiling_, blocks_, frame_, accumulators_.data());
+    for (const auto& impulse : given.impulse) given.piston_work += dot(impulse, frame_velocity_);
+    given.work += given.piston_work;
+    return given;
   }
 
   template <class B>

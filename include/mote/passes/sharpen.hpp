@@ -66,22 +66,26 @@ template <class Shape, class B, class T, int D>
   });
 }
 
-/// residual -= S+ S residual on a block's nodes, before any plane.
+/// residual -= S+ S residual on a block's nodes, before any plane. \return sum m (residual before) (residual after)
 template <class T, int D>
-[[gnu::noinline]] void subtract_returned(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators,
-                                         int support, grid::Blocks<T, D>& blocks) {
+[[gnu::noinline]] double subtract_returned(std::uint32_t block, const Tiling<D>& tiling, const T* accumulators,
+                                           int support, grid::Blocks<T, D>& blocks) {
   constexpr int width = Momentum<T, D>::width, nodes = grid::block_nodes<D>;
   alignas(64) T sums[nodes * width];
   const std::size_t first = std::size_t(block) * nodes;
+  double product = 0;
   const auto subtract = [&](int i) {
     const std::size_t node = first + std::size_t(i);
     const T m = blocks.mass[node], over_m = m > T(0) ? T(1) / m : T(0);
-    Vec<T, D> d = node_vector<T, D>(blocks.residual.data(), node);
-    for (int a = 0; a < D; ++a) d[a] = m > T(0) ? d[a] - over_m * sums[i * width + a] : T(0);
+    const Vec<T, D> before = node_vector<T, D>(blocks.residual.data(), node);
+    Vec<T, D> d{};
+    for (int a = 0; a < D; ++a) d[a] = m > T(0) ? before[a] - over_m * sums[i * width + a] : T(0);
+    product += double(m * dot(before, d));
     set_node_vector(blocks.residual.data(), node, d);
   };
   for_each_node<D>(sum_tiles<width>(block, tiling, accumulators, support, sums), subtract,
                    [&](int row) { clear_row<D>(blocks.residual, first + std::size_t(row)); });
+  return product;
 }
 
 template <int D>
@@ -91,9 +95,16 @@ template <int D, class T>
 void copy_block(std::size_t block, const AlignedVector<T>& from, AlignedVector<T>& to) {
   std::copy_n(from.data() + block * block_numbers<D>, block_numbers<D>, to.data() + block * block_numbers<D>);
 }
-template <int D, class T>
-void add_block(std::size_t block, const AlignedVector<T>& from, AlignedVector<T>& to) {
-  for (std::size_t i = block * block_numbers<D>; i < (block + 1) * block_numbers<D>; ++i) to[i] += from[i];
+/// to += residual. \return sum m residual^2
+template <class T, int D>
+double add_residual(std::size_t block, const grid::Blocks<T, D>& blocks, AlignedVector<T>& to) {
+  double square = 0;
+  for (std::size_t node = block * grid::block_nodes<D>; node < (block + 1) * grid::block_nodes<D>; ++node) {
+    const Vec<T, D> d = node_vector<T, D>(blocks.residual.data(), node);
+    square += double(blocks.mass[node] * dot(d, d));
+    set_node_vector(to.data(), node, node_vector<T, D>(to.data(), node) + d);
+  }
+  return square;
 }
 /// to = a - b
 template <int D, class T>
@@ -103,12 +114,16 @@ void subtract_blocks(std::size_t block, const AlignedVector<T>& a, const Aligned
 
 /// sharp += (1 - B) v + ... + (1 - B)^(order - 1) v for the node field v that blocks.residual holds, and loses.
 ///
-/// \param for_each_tile, for_each_block  sweep over what is awake: f(body, tile), f(block)
+/// If v is the change of velocity by forces, these do the work sum m v c/2 on its correction c. (1 - B) is
+/// self-adjoint: sum m v (1 - B)^n v is, after the j-th term, the product of the last two terms (n = 2j - 1) and the
+/// square of the last (n = 2j).
+///
+/// \param for_each_tile, sum_over_blocks  sweep over what is awake: f(body, tile), the sum of f(block)
 /// \param hold  holds a field to the planes and returns the impulses that they give
-/// \return the impulses that the planes give to the corrections
-template <class Shape, class ForEachTile, class ForEachBlock, class Hold, class T, int D>
-GridLedger<D> sharpen(const ForEachTile& for_each_tile, const ForEachBlock& for_each_block, const Hold& hold, int order,
-                      AlignedVector<T>& sharp, const Tiling<D>& tiling, grid::Blocks<T, D>& blocks,
+/// \return the impulses that the planes give to the corrections, and that work
+template <class Shape, class ForEachTile, class SumOverBlocks, class Hold, class T, int D>
+GridLedger<D> sharpen(const ForEachTile& for_each_tile, const SumOverBlocks& sum_over_blocks, const Hold& hold,
+                      int order, AlignedVector<T>& sharp, const Tiling<D>& tiling, grid::Blocks<T, D>& blocks,
                       const Frame<T, D>& frame, T* accumulators) {
   GridLedger<D> given;
   AlignedVector<T>& residual = blocks.residual;
@@ -117,9 +132,12 @@ GridLedger<D> sharpen(const ForEachTile& for_each_tile, const ForEachBlock& for_
     for_each_tile([&](const auto& body, std::uint32_t t) {
       transfer_and_return<Shape>(body, tiling.tiles[t], tiling.links, residual, frame, accumulators);
     });
-    for_each_block([&](std::uint32_t b) { subtract_returned(b, tiling, accumulators, Shape::support, blocks); });
+    const double product = sum_over_blocks(
+        [&](std::uint32_t b) { return subtract_returned(b, tiling, accumulators, Shape::support, blocks); });
     given += hold(residual);
-    for_each_block([&](std::uint32_t b) { add_block<D>(b, residual, sharp); });
+    const double square = sum_over_blocks([&](std::uint32_t b) { return add_residual(b, blocks, sharp); });
+    if (2 * j - 1 < order) given.work += 0.5 * product;
+    if (2 * j < order) given.work += 0.5 * square;
   }
   return given;
 }
