@@ -94,7 +94,7 @@ void compare_one_dimension() {
 }  // namespace
 
 TEMPLATE_TEST_CASE("piston: pushes and pulls metal at rest as a wall stops metal that flies", "[piston][boundary]",
-                   schemes::LinearFlipMusl, schemes::QuadraticApicUsl) {
+                   schemes::LinearFlipMusl, schemes::QuadraticApicUsl, schemes::QuadraticAffineFlipUsl) {
   compare_one_dimension<TestType>();
 }
 

@@ -12,9 +12,11 @@ using namespace beside;
 template <class Scheme, class... Sides>
 void run_beside(double blend, textbook::Box box, const Sides&... sides) {
   box.planes.push_back({.axis = 2, .node = 0});
+  auto transfer = transfer_of<Scheme>(blend);
+  if constexpr (Scheme::affine_flip) transfer.order = blend == 1 ? 3 : 2;
   Solver solver{grid::Cartesian<3>{.spacing = h},
                 typename Scheme::Shape{},
-                transfer_of<Scheme>(blend),
+                transfer,
                 typename Scheme::Update{},
                 timestep::Fixed{.dt = dt},
                 sides...,
@@ -27,6 +29,7 @@ void run_beside(double blend, textbook::Box box, const Sides&... sides) {
   shake(particles, 20);
   Book<Scheme> book(box);
   book.blend = blend;
+  if constexpr (Scheme::affine_flip) book.order = transfer.order;
   copy_particles(particles, book);
 
   for (int i = 0; i < 20; ++i) {

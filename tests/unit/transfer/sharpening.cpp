@@ -1,5 +1,5 @@
 /// \file
-/// What XPIC and FMPM keep, what they damp, and what they are at order one.
+/// Transfers that sharpen: what XPIC, FMPM and affine FLIP keep, what they damp, and what they are at order one.
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -91,6 +91,7 @@ void check_momentum(const U& update) {
   CAPTURE(order);
   check(transfer::Xpic{.order = order});
   check(transfer::Fmpm{.order = order});
+  check(transfer::AffineFlip{.order = order});
 }
 
 /// A line of particles in a periodic cell, and its transfers as dense matrices.
@@ -187,13 +188,13 @@ TEMPLATE_TEST_CASE("XPIC(1) and FMPM(1) are PIC", "[transfer]", shape::Linear, s
   check(update::Musl{});
 }
 
-TEMPLATE_TEST_CASE("XPIC and FMPM conserve momentum, and planes give what the body gains", "[transfer]",
+TEMPLATE_TEST_CASE("sharpening conserves momentum, and planes give what the body gains", "[transfer]",
                    shape::QuadraticBSpline, shape::CubicBSpline) {
   check_momentum<TestType>(update::Usl{});
   check_momentum<TestType>(update::Usf{});
 }
 
-TEST_CASE("XPIC, FMPM and USF: any number of threads gives the same bits", "[transfer][execution]") {
+TEST_CASE("sharpening and USF: any number of threads gives the same bits", "[transfer][execution]") {
   const auto check = [](const auto& transfer, const auto& update) {
     const auto serial = after_20_steps<shape::QuadraticBSpline>(transfer, update);
     for (const int threads : {1, 2, 3})
@@ -201,10 +202,11 @@ TEST_CASE("XPIC, FMPM and USF: any number of threads gives the same bits", "[tra
   };
   check(transfer::Xpic{.order = 4}, update::Usl{});
   check(transfer::Fmpm{.order = 3}, update::Usf{});
+  check(transfer::AffineFlip{.order = 3}, update::Usl{});
 }
 
 /// Repeated transfers carry a disturbance by several kernels in a step, what sleeps cuts it off; it has died out there.
-TEST_CASE("XPIC and FMPM with sleep move every particle as without", "[transfer][sleep]") {
+TEST_CASE("transfers that sharpen with sleep move every particle as without", "[transfer][sleep]") {
   const auto run = [](const auto& transfer, const auto& sleep) {
     Solver solver{grid::Cartesian<2>{.spacing = h},
                   shape::QuadraticBSpline{},
@@ -235,6 +237,8 @@ TEST_CASE("XPIC and FMPM with sleep move every particle as without", "[transfer]
   check(transfer::Xpic{.order = 5});
   check(transfer::Xpic{.order = 20});
   check(transfer::Fmpm{.order = 5});
+  check(transfer::AffineFlip{.order = 2});
+  check(transfer::AffineFlip{.order = 5});
 }
 
 TEMPLATE_TEST_CASE("XPIC leaves (1 - S S+)^m of a velocity behind, FMPM the same", "[transfer]", shape::Linear,
@@ -323,4 +327,6 @@ TEMPLATE_TEST_CASE("XPIC comes to keep an affine field inside a body", "[transfe
 TEST_CASE("orders out of range are refused", "[transfer]") {
   CHECK_THROWS_WITH(transfer::Xpic{.order = 0}.validate(), "mote: the XPIC order is 0; it must be from 1 to 40");
   CHECK_THROWS_WITH(transfer::Fmpm{.order = 41}.validate(), "mote: the FMPM order is 41; it must be from 1 to 40");
+  CHECK_THROWS_WITH(transfer::AffineFlip{.order = 0}.validate(),
+                    "mote: the order of the change of velocity is 0; it must be from 1 to 40");
 }
