@@ -25,23 +25,42 @@ using TestBody = Body<TestMetal, double, D, Transfer, Shape>;
   MOTE_TEST_GATHER(prefix, velocity_and_remap, S, X, D)                                                               \
   MOTE_TEST_GATHER(prefix, deform, S, X, D)                                                                           \
   prefix template void scatter_tile<shape::S, transfer::X>(const TestBody<shape::S, transfer::X, D>&, const Tile<D>&, \
-                                                           const Frame<double, D>&, double*);
+                                                           const Frame<double, D>&, double*);                         \
+  prefix template TileReport survey_tile<shape::S>(const TestBody<shape::S, transfer::X, D>&, Tile<D>&,               \
+                                                   const Frame<double, D>&, const Vec<double, D>&);
 #define MOTE_TEST_KERNELS(prefix, S, X)           \
   MOTE_TEST_KERNELS_OF_DIMENSION(prefix, S, X, 1) \
   MOTE_TEST_KERNELS_OF_DIMENSION(prefix, S, X, 2) \
   MOTE_TEST_KERNELS_OF_DIMENSION(prefix, S, X, 3)
+// A transfer that sharpens has one more.
+#define MOTE_TEST_SHARPENING(prefix, S, X, D)                                                                   \
+  prefix template void transfer_and_return<shape::S>(const TestBody<shape::S, transfer::X, D>&, const Tile<D>&, \
+                                                     const std::vector<Link<D>>&, const AlignedVector<double>&, \
+                                                     const Frame<double, D>&, double*);
+#define MOTE_TEST_SHARPENING_KERNELS(prefix, S, X) \
+  MOTE_TEST_KERNELS(prefix, S, X)                  \
+  MOTE_TEST_SHARPENING(prefix, S, X, 1)            \
+  MOTE_TEST_SHARPENING(prefix, S, X, 2)            \
+  MOTE_TEST_SHARPENING(prefix, S, X, 3)
 
-#define MOTE_TEST_LINEAR_KERNELS(prefix) MOTE_TEST_KERNELS(prefix, Linear, Flip) MOTE_TEST_KERNELS(prefix, Linear, Apic)
+// clang-format off
+#define MOTE_TEST_LINEAR_KERNELS(prefix)  \
+  MOTE_TEST_KERNELS(prefix, Linear, Flip) \
+  MOTE_TEST_KERNELS(prefix, Linear, Apic)
 #define MOTE_TEST_QUADRATIC_KERNELS(prefix)         \
   MOTE_TEST_KERNELS(prefix, QuadraticBSpline, Flip) \
-  MOTE_TEST_KERNELS(prefix, QuadraticBSpline, Apic) MOTE_TEST_KERNELS(prefix, QuadraticBSpline, AffineFlip)
+  MOTE_TEST_KERNELS(prefix, QuadraticBSpline, Apic) \
+  MOTE_TEST_SHARPENING_KERNELS(prefix, QuadraticBSpline, AffineFlip)
 #define MOTE_TEST_CUBIC_KERNELS(prefix)         \
   MOTE_TEST_KERNELS(prefix, CubicBSpline, Flip) \
-  MOTE_TEST_KERNELS(prefix, CubicBSpline, Apic) MOTE_TEST_KERNELS(prefix, CubicBSpline, AffineFlip)
-#define MOTE_TEST_GIMP_KERNELS(prefix)                                                  \
-  MOTE_TEST_KERNELS(prefix, Gimp, Flip)                                                 \
-  MOTE_TEST_KERNELS(prefix, Gimp, Apic) MOTE_TEST_KERNELS(prefix, ContiguousGimp, Flip) \
-      MOTE_TEST_KERNELS(prefix, ContiguousGimp, Apic)
+  MOTE_TEST_KERNELS(prefix, CubicBSpline, Apic) \
+  MOTE_TEST_SHARPENING_KERNELS(prefix, CubicBSpline, AffineFlip)
+#define MOTE_TEST_GIMP_KERNELS(prefix)            \
+  MOTE_TEST_KERNELS(prefix, Gimp, Flip)           \
+  MOTE_TEST_KERNELS(prefix, Gimp, Apic)           \
+  MOTE_TEST_KERNELS(prefix, ContiguousGimp, Flip) \
+  MOTE_TEST_KERNELS(prefix, ContiguousGimp, Apic)
+// clang-format on
 
 MOTE_TEST_LINEAR_KERNELS(extern)
 MOTE_TEST_QUADRATIC_KERNELS(extern)
