@@ -1,14 +1,13 @@
 /// \file
 /// GIMP's kernel against what defines it: the mean of a hat over the particle's domain; its limits; and how the half
 /// size follows the motion. Properties that every kernel shares are in shape.cpp.
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include <mote/mote.hpp>
 
 #include "catch.hpp"
+#include "holds.hpp"
 
 namespace {
 
@@ -39,7 +38,7 @@ double mean_of_hat(int i, double f, double l) {
 }  // namespace
 
 TEST_CASE("gimp: weights are means of hats, slopes their differences over the domain", "[shape][gimp][property]") {
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const double f = 0.5 + unit(), l = 1e-3 + 0.499 * unit();
     const Kernel kernel(f, l);
     for (int i = 0; i < 3; ++i) {
@@ -51,7 +50,7 @@ TEST_CASE("gimp: weights are means of hats, slopes their differences over the do
 }
 
 TEST_CASE("gimp: half a cell makes it the quadratic B-spline, and more too", "[shape][gimp][property]") {
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const double f = 0.5 + unit(), half = 0.5 + 3 * unit();
     const Kernel kernel(f, half);
     double w[3], d[3];
@@ -65,7 +64,7 @@ TEST_CASE("gimp: half a cell makes it the quadratic B-spline, and more too", "[s
 }
 
 TEST_CASE("gimp: no size makes it the linear hat, and less too", "[shape][gimp][property]") {
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const double f = 0.5 + unit(), half = unit() - 1;
     const Kernel kernel(f, half);
     for (int i = 0; i < 3; ++i) {

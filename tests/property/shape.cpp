@@ -1,13 +1,12 @@
 /// \file
 /// Properties of every shape function: alone, in the passes' stencils, and with the mirror images beyond a plane.
-#include <rapidcheck.h>
-
 #include <array>
 #include <limits>
 
 #include <mote/mote.hpp>
 
 #include "catch.hpp"
+#include "holds.hpp"
 
 // g++ 12 takes the lowest nodes of a pack, copied from a vector register, for uninitialised when a test inlines them
 #if defined(__GNUC__) && !defined(__clang__)
@@ -143,7 +142,7 @@ void in_each_dimension(F f) {
 }  // namespace
 
 TEMPLATE_TEST_CASE("shape: weights sum to one and are not negative", "[shape][property]", KERNELS) {
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const At<typename TestType::Shape, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto, auto w, auto) { return w; }), 1));
     for (auto w : at.w) RC_ASSERT(w >= 0);
@@ -151,14 +150,14 @@ TEMPLATE_TEST_CASE("shape: weights sum to one and are not negative", "[shape][pr
 }
 
 TEMPLATE_TEST_CASE("shape: slopes sum to zero", "[shape][property]", KERNELS) {
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const At<typename TestType::Shape, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto, auto, auto d) { return d; }), 0));
   }));
 }
 
 TEMPLATE_TEST_CASE("shape: a linear function is reproduced, and its slope", "[shape][property]", KERNELS) {
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const At<typename TestType::Shape, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto r, auto w, auto) { return w * r; }), 0));
     RC_ASSERT(near(at.sum([](auto r, auto, auto d) { return d * r; }), 1));
@@ -167,7 +166,7 @@ TEMPLATE_TEST_CASE("shape: a linear function is reproduced, and its slope", "[sh
 
 TEMPLATE_TEST_CASE("shape: slopes are the derivatives of the weights", "[shape][property]", KERNELS) {
   using S = typename TestType::Shape;
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const double step = 1e-5, f = 0.001 + 0.998 * unit();  // differences of cubics are off by step^2/2
     const double half = half_size(), off = sized<S> ? step / half : 0;  // where the slope has a kink, up to 1/half
     const At<S, double> at(f, half), before(f - step, half), after(f + step, half);
@@ -178,7 +177,7 @@ TEMPLATE_TEST_CASE("shape: slopes are the derivatives of the weights", "[shape][
 
 TEMPLATE_TEST_CASE("shape: no node beyond half the support is touched", "[shape][property]", KERNELS) {
   using S = typename TestType::Shape;
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const At<S, typename TestType::number> at(unit(), half_size());
     for (int i = 0; i < S::support; ++i) RC_ASSERT(std::abs(i - at.f) <= 0.5 * S::support);
   }));
@@ -199,7 +198,7 @@ TEMPLATE_TEST_CASE("shape: values, and slopes of smooth kernels, continue in the
 TEMPLATE_TEST_CASE("shape: the inertia that a kernel states is the same everywhere", "[shape][property]", KERNELS) {
   using S = typename TestType::Shape;
   if (S::inertia == 0) return;
-  CHECK(rc::check([] {
+  CHECK(holds([] {
     const At<S, typename TestType::number> at(unit(), half_size());
     RC_ASSERT(near(at.sum([](auto r, auto w, auto) { return w * r * r; }), S::inertia));
   }));
@@ -211,7 +210,7 @@ TEMPLATE_TEST_CASE("stencil: a linear field is gathered exactly, with its gradie
   using T = typename TestType::number;
   in_each_dimension<T>([](auto d) {
     constexpr int D = d;
-    CHECK(rc::check([] {
+    CHECK(holds([] {
       Scene<S, T, D> scene;
       const auto sums = scene.gathered([&](int n, int c) { return T(scene.coordinate(n, c)); });
       for (std::size_t l = 0; l < lanes; ++l)
@@ -231,7 +230,7 @@ TEMPLATE_TEST_CASE("stencil: a constant field has neither gradient nor moment", 
   using T = typename TestType::number;
   in_each_dimension<T>([](auto d) {
     constexpr int D = d;
-    CHECK(rc::check([] {
+    CHECK(holds([] {
       Scene<typename TestType::Shape, T, D> scene;
       const auto sums = scene.gathered([](int, int) { return T(1); });
       for (std::size_t l = 0; l < lanes; ++l) {
@@ -249,7 +248,7 @@ TEMPLATE_TEST_CASE("stencil: scattering is the transpose of gathering", "[shape]
   using T = typename TestType::number;
   in_each_dimension<T>([](auto d) {
     constexpr int D = d;
-    CHECK(rc::check([] {
+    CHECK(holds([] {
       using S = typename TestType::Shape;
       constexpr int width = passes::MomentumAndForce<T, D>::width;
       Scene<S, T, D> scene;
@@ -349,7 +348,7 @@ TEMPLATE_TEST_CASE("shape: with the images beyond a plane, a field that obeys it
   using T = typename TestType::number;
   in_each_dimension<T>([](auto d) {
     constexpr int D = d;
-    CHECK(rc::check([] {
+    CHECK(holds([] {
       const Side side{*rc::gen::inRange(0, D), *rc::gen::arbitrary<bool>()};
       check_mirrored_field<S, T, D>(boundary::RigidWall{.side = side, .at = 0}, true);
       check_mirrored_field<S, T, D>(boundary::Symmetry{.side = side, .at = 0}, false);
