@@ -66,12 +66,12 @@ run() {
   local preset=$1 log=build/$1/ctest.log
   shift
   echo "== $preset: building"
-  # studies and the cavity program take minutes to build; they say more of the schemes than of the compiler. Without
-  # slow tests the program is compiled quickly.
+  # studies and the cavity program take minutes to build; they say more of the schemes than of the compiler. Unless slow
+  # tests run, the examples are compiled quickly.
   local measure=OFF targets=(all)
   [ "$preset" = gcc-release ] && measure=ON targets+=(all_verify_interface_header_sets)
   if ! cmake --preset "$preset" -DMOTE_BUILD_BENCHMARKS=$slow -DMOTE_BUILD_SLOW_STUDIES=$slow \
-    -DMOTE_BUILD_STUDIES=$measure -DMOTE_BUILD_CAVITY=$measure -DMOTE_QUICK_CAVITY=$quick \
+    -DMOTE_BUILD_STUDIES=$measure -DMOTE_BUILD_CAVITY=$measure -DMOTE_QUICK_EXAMPLES=$quick \
     >build/configure.log 2>&1; then
     cat build/configure.log
     failed=$((failed + 1))
