@@ -2,6 +2,7 @@
 /// Material: an equation of state, a strength, a heat, a viscosity and an energy closure as one value.
 #pragma once
 
+#include <mote/core/by_lane.hpp>
 #include <mote/core/field.hpp>
 #include <mote/core/pack.hpp>
 #include <mote/core/role.hpp>
@@ -299,49 +300,13 @@ class Material {
     }
   }
 
-  template <class V, class... Tags>
-  static void set_initial(V& values, fields<Tags...>) {
-    using T = typename V::number;
-    const auto set = [&]<class Tag>(Tag) {
-      double first = 0;
-      if constexpr (requires { Tag::initial; }) first = Tag::initial;
-      for (int i = 0; i < count<Tag, V::dimension>(); ++i) component<Tag>(get<Tag>(values), i) = T(first);
-    };
-    (set(Tags{}), ...);
-  }
-
   template <class V, class T>
   void update_by_lane(V& values, const Mat<T, 3>& a, const Step& step) const {
-    using S = Scalar<T>;
-    for (int l = 0; l < lanes; ++l) {
-      Values<S, V::dimension, particle_fields> one;
-      copy_lane<V::dimension>(one, values, l, particle_fields{});
-      Mat<S, 3> b{};
+    for_each_lane(values, particle_fields{}, [&](auto& one, int l) {
+      Mat<Scalar<T>, 3> b{};
       for (int i = 0; i < 9; ++i) b.c[i] = lane(a.c[i], l);
       update(one, b, step);
-      copy_back<V::dimension>(values, one, l, particle_fields{});
-    }
-  }
-  template <int D, class To, class From, class... Tags>
-  static void copy_lane(To& to, const From& from, int l, fields<Tags...>) {
-    const auto copy = [&]<class Tag>(Tag) {
-      for (int i = 0; i < count<Tag, D>(); ++i)
-        component<Tag>(get<Tag>(to), i) = lane(component<Tag>(get<Tag>(from), i), l);
-    };
-    (copy(Tags{}), ...);
-  }
-  template <int D, class To, class From, class... Tags>
-  static void copy_back(To& to, const From& from, int l, fields<Tags...>) {
-    const auto copy = [&]<class Tag>(Tag) {
-      for (int i = 0; i < count<Tag, D>(); ++i)
-        component<Tag>(get<Tag>(to), i).set(l, component<Tag>(get<Tag>(from), i));
-    };
-    (copy(Tags{}), ...);
-  }
-  /// How many numbers the value of a field holds in registers.
-  template <class Tag, int D>
-  static constexpr int count() {
-    return std::is_same_v<typename Tag::shape, shape_of::Symmetric> ? 6 : Tag::shape::template components<D>;
+    });
   }
 };
 

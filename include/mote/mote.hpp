@@ -9,6 +9,7 @@
 #include <mote/boundary/rigid_wall.hpp>
 #include <mote/boundary/symmetry.hpp>
 #include <mote/core/aligned.hpp>
+#include <mote/core/by_lane.hpp>
 #include <mote/core/error.hpp>
 #include <mote/core/field.hpp>
 #include <mote/core/pack.hpp>
@@ -94,6 +95,7 @@
 #include <mote/passes/sharpen.hpp>
 #include <mote/passes/sleep.hpp>
 #include <mote/passes/sort.hpp>
+#include <mote/passes/state.hpp>
 #include <mote/passes/stencil.hpp>
 #include <mote/passes/tiles.hpp>
 #include <mote/passes/traction.hpp>

@@ -224,4 +224,21 @@ constexpr auto& component(Value& value, int i) {
     return value.c[i];
 }
 
+/// How many numbers the value of a field holds in registers.
+template <class Tag, int D>
+inline constexpr int components_of_value =
+    std::is_same_v<typename Tag::shape, shape_of::Symmetric> ? 6 : Tag::shape::template components<D>;
+
+/// Sets fields to their tags' `initial`, or to zero.
+template <class V, class... Tags>
+void set_initial(V& values, fields<Tags...>) {
+  using T = typename V::number;
+  const auto set = [&]<class Tag>(Tag) {
+    double first = 0;
+    if constexpr (requires { Tag::initial; }) first = Tag::initial;
+    for (int i = 0; i < components_of_value<Tag, V::dimension>; ++i) component<Tag>(get<Tag>(values), i) = T(first);
+  };
+  (set(Tags{}), ...);
+}
+
 }  // namespace mote
