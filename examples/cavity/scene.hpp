@@ -10,6 +10,7 @@
 #include <mote/observe/progress.hpp>
 #include <mote/observe/vti.hpp>
 #include <mote/observe/vtp.hpp>
+#include <optional>
 
 #include "result.hpp"
 
@@ -106,26 +107,32 @@ Result simulate(const Options& o, const Voice& voice) {
     else
       return sleep::Quiescent{.tolerance = o.sleep_tolerance, .enabled = o.sleep.value_or(true)};
   };
-  const auto with = [&](const auto&... sides) {
-    Solver solver{grid::Cartesian<3, T>{.spacing = o.spacing * um},
-                  Shape{},
-                  make_transfer<Transfer>(o),
-                  Update{},
-                  timestep::Cfl{.courant = o.courant},
-                  execution::Threads{o.threads},
-                  rest(),
-                  boundary::RigidWall{.side = side::z_min, .at = 0},
-                  sides...,
-                  metal};
-    fill(solver, metal, o);
-    return run(solver, o, voice);
-  };
+  // optional, so that full and quarter are one type of solver, compiled once
+  const bool full = o.domain == Domain::full;
   const double w = half_width * um;
-  if (o.domain == Domain::full)
-    return with(boundary::Periodic{.axis = axis::x, .from = -w, .to = w},
-                boundary::Periodic{.axis = axis::y, .from = -w, .to = w});
-  return with(boundary::Symmetry{.side = side::x_min, .at = 0}, boundary::Symmetry{.side = side::x_max, .at = w},
-              boundary::Symmetry{.side = side::y_min, .at = 0}, boundary::Symmetry{.side = side::y_max, .at = w});
+  const auto period = [&](int a) {
+    return full ? std::optional(boundary::Periodic{.axis = a, .from = -w, .to = w}) : std::nullopt;
+  };
+  const auto mirror = [&](Side s, double at) {
+    return full ? std::nullopt : std::optional(boundary::Symmetry{.side = s, .at = at});
+  };
+  Solver solver{grid::Cartesian<3, T>{.spacing = o.spacing * um},
+                Shape{},
+                make_transfer<Transfer>(o),
+                Update{},
+                timestep::Cfl{.courant = o.courant},
+                execution::Threads{o.threads},
+                rest(),
+                boundary::RigidWall{.side = side::z_min, .at = 0},
+                period(axis::x),
+                period(axis::y),
+                mirror(side::x_min, 0),
+                mirror(side::x_max, w),
+                mirror(side::y_min, 0),
+                mirror(side::y_max, w),
+                metal};
+  fill(solver, metal, o);
+  return run(solver, o, voice);
 }
 
 /// Bytes of a particle's columns.

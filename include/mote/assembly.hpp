@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 
@@ -34,17 +35,21 @@ template <class P>
 void validate(const P& part) {
   if constexpr (requires { part.validate(); }) part.validate();
 }
+template <class P>
+void validate(const std::optional<P>& part) {
+  if (part) validate(*part);
+}
 
 template <class Boundaries>
 inline constexpr bool are_boundaries = false;
 template <class... B>
-inline constexpr bool are_boundaries<std::tuple<B...>> = (Boundary<B> && ...);
+inline constexpr bool are_boundaries<std::tuple<B...>> = (Boundary<BoundaryOf<B>> && ...);
 
 /// Whether one of them takes the grid along.
 template <class Boundaries>
 inline constexpr bool moves = false;
 template <class... B>
-inline constexpr bool moves<std::tuple<B...>> = (MovingPlane<B> || ...);
+inline constexpr bool moves<std::tuple<B...>> = (MovingPlane<BoundaryOf<B>> || ...);
 
 template <class Loads, int D>
 inline constexpr bool are_loads = false;

@@ -33,6 +33,8 @@ struct Run {
 ///   needed     grid, shape function, transfer, time step, one or more materials
 ///   optional   update order (update::Usl), execution (execution::Serial), sleep (sleep::Never), boundaries, loads
 ///
+/// A boundary may be a std::optional, and none where it is empty: full or quarter domain, say, in one type of solver.
+///
 /// What a step guarantees: the answer does not depend on the executor or its number of threads, to the last bit.
 /// Columns keep their place unless a sort was due; sorts() counts those. A step that throws NumericalError (also from a
 /// worker thread) leaves the columns as the failed step left them, to be looked at or written; further steps throw

@@ -148,6 +148,21 @@ TEST_CASE("a domain knows where its planes are and what they flip", "[grid]") {
   CHECK(!d.plane(0, 0));
 }
 
+TEST_CASE("a boundary that is empty is none, and has no number", "[grid]") {
+  const boundary::Symmetry mirror{.side = side::x_min, .at = 2e-6};
+  const boundary::Periodic around{.axis = axis::y, .from = 0, .to = 3e-6};
+  const auto d = domain(std::optional<boundary::Symmetry>{}, std::optional(around), std::optional(mirror),
+                        std::optional<boundary::Periodic>{}, boundary::RigidWall{.side = side::z_min, .at = 0});
+  REQUIRE(d.plane(0, 0));
+  CHECK(d.plane(0, 0)->node == 2);
+  CHECK(d.plane(0, 0)->part == 1);
+  CHECK(d.periodic(1));
+  CHECK(!d.periodic(0));
+  CHECK(!d.plane(0, 1));
+  REQUIRE(d.plane(2, 0));
+  CHECK(d.plane(2, 0)->part == 2);
+}
+
 TEST_CASE("a domain contains what lies between its planes and in its periods", "[grid]") {
   const auto d = domain(floor_at_0, boundary::RigidWall{.side = side::z_max, .at = 2e-6},
                         boundary::Periodic{.axis = axis::x, .from = 0, .to = 4e-6});

@@ -1,5 +1,7 @@
 /// \file
 /// What a solver promises about motion, order and sorting.
+#include <optional>
+
 #include <mote/solver.hpp>
 
 #include "catch.hpp"
@@ -111,6 +113,24 @@ TEST_CASE("what leaves a period comes in on the other side", "[solver]") {
     CHECK(std::abs(std::remainder(flown[0], 7 * h)) < 1e-10 * h);
     CHECK(std::abs(std::remainder(flown[1], 3 * h)) < 1e-10 * h);
   }
+}
+
+TEST_CASE("a boundary may be optional: given, it acts as if it were not", "[solver][boundary]") {
+  const auto run = [](const auto& wall) {
+    Solver solver{grid::Cartesian<1>{.spacing = h}, shape::QuadraticBSpline{}, transfer::Apic{},
+                  timestep::Fixed{.dt = 3e-11}, wall, aluminium};
+    solver.fill(cube<1>(0, 6), aluminium, {.velocity = Vec<double, 1>{-100}});
+    for (int i = 0; i < 20; ++i) solver.step();
+    auto all = numbers(solver);
+    all.push_back(solver.ledger().impulse[0][0]);
+    return all;
+  };
+  const boundary::RigidWall wall{.side = side::x_min, .at = 0};
+  const auto with = run(wall), without = run(boundary::Symmetry{.side = side::x_max, .at = 90 * h});
+  CHECK(run(std::optional(wall)) == with);
+  CHECK(run(std::optional<boundary::RigidWall>{}) == without);
+  CHECK(with != without);
+  CHECK_THROWS_AS(run(std::optional(boundary::RigidWall{.side = side::x_min, .at = 0.5 * h})), InputError);
 }
 
 TEST_CASE("a sort keeps a particle's numbers together and puts blocks in order", "[solver]") {

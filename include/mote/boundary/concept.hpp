@@ -2,6 +2,8 @@
 /// What a boundary offers.
 #pragma once
 
+#include <optional>
+
 #include <mote/core/error.hpp>
 #include <mote/core/role.hpp>
 #include <mote/core/vec.hpp>
@@ -38,5 +40,20 @@ concept PeriodicPair = HasRole<B, role::Boundary> && requires(const B& b) {
 
 template <class B>
 concept Boundary = MirrorPlane<B> || PeriodicPair<B>;
+
+namespace detail {
+template <class B>
+struct Given {
+  using type = B;
+};
+template <class B>
+struct Given<std::optional<B>> {
+  using type = B;
+};
+}  // namespace detail
+
+/// The boundary that a part is, or may be: a solver takes std::optional<B> for B, and an empty one is none.
+template <class B>
+using BoundaryOf = typename detail::Given<B>::type;
 
 }  // namespace mote

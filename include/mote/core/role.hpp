@@ -4,6 +4,7 @@
 /// A part states its role once (`using role = mote::role::Shape;`), so parts can be given in any order.
 #pragma once
 
+#include <optional>
 #include <tuple>
 #include <type_traits>
 
@@ -39,6 +40,10 @@ inline constexpr bool has_role = false;
 template <class P, class R>
 requires HasRole<P, R>
 inline constexpr bool has_role<P, R> = true;
+/// A boundary that a program has or has not.
+template <class P>
+requires HasRole<P, role::Boundary>
+inline constexpr bool has_role<std::optional<P>, role::Boundary> = true;
 
 template <class R, class Default, class... Parts>
 struct FirstOf {

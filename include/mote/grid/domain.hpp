@@ -45,7 +45,7 @@ class Domain {
   Domain(double spacing, const Vec<double, D>& origin, const Boundaries& boundaries)
       : spacing_(spacing), origin_(origin) {
     int part = 0;
-    std::apply([&](const auto&... b) { (add(b, part++), ...); }, boundaries);
+    std::apply([&](const auto&... b) { (add(b, part), ...); }, boundaries);
     for (int a = 0; a < D; ++a) {
       require(!(periodic_[a] && (planes_[a][0] || planes_[a][1])), "axis ", detail::axis_name(a),
               " is periodic and has a plane too; it takes one or the other");
@@ -91,12 +91,18 @@ class Domain {
   double period(int axis) const { return periodic_[axis] ? periodic_[axis]->count * spacing_ : 0; }
 
  private:
+  /// \param part the boundary's number; counts those that are there
   template <class B>
-  void add(const B& b, int part) {
+  void add(const B& b, int& part) {
     if constexpr (PeriodicPair<B>)
       add_periodic(b);
     else
       add_plane(b, part);
+    ++part;
+  }
+  template <class B>
+  void add(const std::optional<B>& b, int& part) {
+    if (b) add(*b, part);
   }
 
   template <class B>
