@@ -262,14 +262,13 @@ class Loop : public Grid {
   }
 
   /// The particle's new velocity, and C if there is one.
-  void take_velocity(std::size_t p, const Gathered& g, double dt) {
+  void take_velocity(std::size_t p, const Gathered& g) {
     const double D = (S == Shape::cubic ? 1.0 / 3 : 0.25) * box.spacing * box.spacing;
     for (int a = 0; a < 3; ++a) {
       double& v = particles.v[a][p];
       v = increments ? g.v[a] + blend * (v - g.old[a]) : g.v[a];
       for (int b = 0; affine && b < 3; ++b) particles.C[3 * a + b][p] = moments ? g.moment[a][b] / D : g.gradient[a][b];
     }
-    if constexpr (sharpened) take_along(p, dt);
   }
 
   /// C <- C - dt C^2 + dt^2 C^3: affine FLIP's gradient goes with the particle.
@@ -293,19 +292,21 @@ class Loop : public Grid {
   void gather_and_rescatter(std::size_t p, double dt) {
     const Stencil t = stencil(p);
     const Gathered g = gather < increments, affine && !moments, moments > (t);
-    take_velocity(p, g, dt);
+    take_velocity(p, g);
     for (int a = 0; a < 3; ++a) drift[a][p] = g.v[a];
     Vector mv;
     Matrix mC{};
     momentum(p, mv, mC);
     spread<false>(t, 0, mv, mC, {});
+    if constexpr (sharpened) take_along(p, dt);
   }
 
   /// Velocity (USL), stress and position from the nodes' velocity.
   void move_particle(std::size_t p, double dt) {
     Particles& P = particles;
     Gathered g = gather < increments && usl, true, moments && usl > (stencil(p));
-    if constexpr (usl) take_velocity(p, g, dt);
+    if constexpr (usl) take_velocity(p, g);
+    if constexpr (usl && sharpened) take_along(p, dt);
     for (Vector& row : g.gradient)
       for (double& L : row) L *= dt;
     State state{P.J[p], {}, P.strain[p], P.work[p], P.temperature[p]};

@@ -21,6 +21,13 @@ TEST_CASE("a disc that spins five turns keeps its energy and angular momentum", 
   CHECK(m.angular_momentum == Approx(1).epsilon(0.005));
 }
 
+TEST_CASE("a disc that spins five turns keeps them with MUSL, too", "[stability][spin]") {
+  const auto m = spin<Scheme<shape::QuadraticBSpline, transfer::AffineFlip, update::Musl>>(5);
+  CAPTURE(m.kinetic, m.angular_momentum, m.turns);
+  CHECK(m.kinetic == Approx(1).epsilon(0.01));
+  CHECK(m.angular_momentum == Approx(1).epsilon(0.005));
+}
+
 TEST_CASE("a disc spins 100 turns", "[stability][spin][slow]") {
   const auto m = spin<Default>(100);
   CAPTURE(m.kinetic, m.angular_momentum, m.size, m.turns);

@@ -256,8 +256,10 @@ template <Task task, class Shape, class Transfer, class B, class T, int D>
         range.template include<Shape>(in_tile.in_cells(get<field::Position>(p)));
       }
       if constexpr (remaps) {
+        auto there = p;  // it is brought to the nodes around the old place, where the gradient is the one just taken
+        if constexpr (detail::takes_gradient<Transfer>) get<field::Affine>(there) = grid_velocity.affine;
         Momentum<T, D> brought;
-        brought.template add_momentum<Transfer>(p, spacing);
+        brought.template add_momentum<Transfer>(there, spacing);
         scatter_pack<Shape, Transfer::affine ? AxisWeights::moment : AxisWeights::none>(
             remapped, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value, brought.axis,
             half_sizes<Shape>(p, in_tile.per_spacing));

@@ -10,7 +10,8 @@ namespace mote::update {
 /// that second, smoother field; the position follows the first. At a node of tiny mass the second field is a mean of
 /// its particles' velocities, however small the mass.
 ///
-/// With APIC the second map carries the new affine part, m w (v + C (x_i - x_p)), like the first. With linear hats,
+/// With APIC the second map carries the new affine part, m w (v + C (x_i - x_p)), like the first; with transfers that
+/// carry the gradient, the gradient at the old place, where the weights are, whatever they keep. With linear hats,
 /// whose C is the gradient, that feeds the noise of tiny nodes back: take FLIP for those. Source: Sulsky, Zhou,
 /// Schreyer, Comput. Phys. Commun. 87 (1995) 236; Zhang, Chen, Liu, The Material Point Method (2017), sec. 3.3.
 struct Musl {
