@@ -17,16 +17,20 @@ presets=(gcc-release clang-release)
 packages=(g++ cmake ninja-build libeigen3-dev catch2 librapidcheck-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
           clang-16)
 selection=(-LE '^slow$')
-slow=OFF quick=ON
+slow=OFF quick=ON clang=yes
 while [ $# -gt 0 ]; do
   case $1 in
-    --gcc-only) presets=(gcc-release); unset 'packages[-1]' ;;
-    --label) selection=(-L "^${2:?--label needs a label}\$"); slow=ON quick=OFF; shift ;;
+    --gcc-only) clang=no ;;
+    --label)
+      selection=(-L "^${2:?--label needs a label}\$"); slow=ON quick=OFF
+      [ "$2" != slow ] || clang=no  # slow are the studies alone, and g++ alone builds them
+      shift ;;
     -h | --help) sed -n '2,/^set/{/^#/p}' "${BASH_SOURCE[0]}"; exit 0 ;;
     *) break ;;
   esac
   shift
 done
+[ $clang = yes ] || { presets=(gcc-release); unset 'packages[-1]'; }
 
 # Leaves the packages that are not installed in `missing`.
 find_missing() {

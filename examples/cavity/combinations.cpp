@@ -41,7 +41,8 @@ const Combination& find_combination(const Options& o) {
     throw BadOption(
         mote::text("--transfer ", to_string(o.transfer), " is not available with --shape ", to_string(o.shape),
                    " --update ", to_string(o.update),
-                   "; flip, apic and aflip are with all shapes and usl or musl; else there are linear flip usf, "
+                   "; flip, apic and aflip are with linear, quadratic and cubic, flip with gimp and cpgimp, all with usl or musl; "
+                   "else there are linear flip usf, "
                    "quadratic flip usf, quadratic apic usf, linear xpic musl, quadratic xpic usl, "
                    "quadratic xpic usf and quadratic fmpm usl"));
   throw BadOption(

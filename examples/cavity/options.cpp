@@ -12,12 +12,11 @@ namespace {
 
 using mote::text;
 
-/// An option whose values are words; `planned` ones are known but not built yet.
+/// An option whose values are words.
 template <class Enum>
 struct Words {
   const char* option;
   std::vector<std::pair<const char*, Enum>> available;
-  std::vector<const char*> planned = {};
 
   std::string list() const {
     std::string all;
@@ -28,8 +27,6 @@ struct Words {
   Enum value(const std::string& word) const {
     for (const auto& [name, value] : available)
       if (word == name) return value;
-    for (const char* name : planned)
-      if (word == name) throw BadOption(text("--", option, " ", word, " is not available yet; choose ", list()));
     throw BadOption(text("--", option, " is '", word, "'; choose ", list()));
   }
   std::string word(Enum value) const {

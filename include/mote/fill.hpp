@@ -14,8 +14,8 @@ namespace mote {
 template <int D>
 struct Fill {
   int per_axis = 2;  ///< particles per cell and axis, 1 to 64
-  /// Initial velocity, m/s: constant or a function of position, whose gradient field::Affine gets (by differences, so
-  /// that it is also asked a thousandth of a cell beside each particle).
+  /// Initial velocity, m/s: constant or a function of position, whose gradient field::Affine gets (by differences over a
+  /// thousandth of a cell to either side of each particle, where the function must be defined and smooth).
   VectorField<D> velocity{};
   geometry::Method method = geometry::Method::lattice;
   double jitter = 0;       ///< random displacement as a part of the particle distance, 0 to 0.5

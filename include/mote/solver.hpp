@@ -91,6 +91,7 @@ class Solver {
   bool sorted_ = false, failed_ = false;
 
  public:
+  /// Throws InputError if a part's numbers are out of range, or the boundaries do not fit the grid or each other.
   template <class... Parts>
   explicit Solver(const Parts&... parts)
       : update_((detail::validate(parts), ..., detail::pick<role::Update, Update>(parts...))),
@@ -114,16 +115,23 @@ class Solver {
   Solver& operator=(const Solver&) = delete;
 
   /// Puts particles of a material where the region is; see Fill for the options. Throws InputError if the solver has no
-  /// material of these numbers. \return how many
+  /// material of these numbers, the region is empty or wholly outside the domain, or the options are out of range. What
+  /// a user's velocity or load throws passes; then nothing has been added. \return how many
   template <geometry::Region R, class M>
   std::size_t fill(const R& region, const M& material, const Fill<D>& how = {}) {
     static_assert(Phases::template holds<M>, "mote: fill() was given a material that the solver does not hold");
     auto& body = phases_.body_of(material, "fill()");
     const std::size_t first = body.particles.size();
     const std::size_t added = append_fill<T>(body, region, material, how, phases_.frame(), phases_.domain(), next_id_);
-    if constexpr (passes::surface_fields<Loads, D>::size > 0)
-      passes::mark_surfaces(body, first, phases_.loads(),
-                            geometry::Lattice<D>{spacing(), how.per_axis, phases_.frame().origin}, domain());
+    if constexpr (passes::surface_fields<Loads, D>::size > 0) {
+      try {
+        passes::mark_surfaces(body, first, phases_.loads(),
+                              geometry::Lattice<D>{spacing(), how.per_axis, phases_.frame().origin}, domain());
+      } catch (...) {  // of the load's where(x)
+        body.particles.resize(first);
+        throw;
+      }
+    }
     next_id_ += added;
     sorted_ = false;
     return added;
@@ -133,13 +141,16 @@ class Solver {
   double step(double limit = std::numeric_limits<double>::infinity()) {
     require(limit > 0, "a step is limited to ", limit, " s; it must be > 0");
     const Settled afterwards{*this};
-    return take_step(limit, false);
+    const double dt = take_step(limit, false);
+    settle();
+    return dt;
   }
 
   /// Steps until `run.until`, and shows the solver to each observer: at the start, whenever one is due, and at the end.
   /// Steps land on the observers' times. All are called after each step; one that looks at particles only when it is
   /// due may say `static constexpr bool only_when_due = true;`, and what sleeps is not brought up to date for it in
   /// between. One that reads nodes() says `needs_nodes`: nobody sleeps in the step to its time and to `run.until`.
+  /// Throws InputError if `run.until` does not lie ahead, besides what step() and the observers throw.
   template <class... Observers>
   void run(const Run& run, Observers&&... observers) {
     require(run.until > time_, "the run lasts until ", run.until, " s; it must lie after the present time, ", time_,
@@ -158,8 +169,8 @@ class Solver {
     (observers.end(*this), ...);
   }
 
-  /// Sorts particles and surveys their speeds if columns were written or particles added; step() does so by itself
-  /// after fill(). Call it after writing columns from outside.
+  /// Sorts particles and surveys their speeds. Call it after writing columns from outside; step() does so by itself after
+  /// fill(). Throws NumericalError if a particle lies where it cannot be, or in a state that it cannot have.
   void refresh() { sort(); }
 
   double time() const { return time_; }        ///< s
@@ -222,10 +233,15 @@ class Solver {
       std::remove_reference_t<decltype(std::declval<Solver&>().template particles<I>())>::bytes_per_particle;
 
  private:
-  /// Brings all positions up to date in the end, come what may.
+  /// Brings all positions up to date in the end, also where a step throws; what the executor throws then is lost to it.
   struct Settled {
     Solver& solver;
-    ~Settled() { solver.settle(); }
+    ~Settled() {
+      try {
+        solver.settle();
+      } catch (...) {
+      }
+    }
   };
   void settle() {
     if constexpr (Sleep::sleeps) {

@@ -23,7 +23,8 @@ inline constexpr int bytes =
 using Aluminium = decltype(aluminium);
 using ColdElastic = decltype(cold_elastic);
 using Water = decltype(water);
-using shape::CubicBSpline, shape::Linear, shape::QuadraticBSpline, transfer::Apic, transfer::Flip;
+using shape::CubicBSpline, shape::Linear, shape::QuadraticBSpline, transfer::AffineFlip, transfer::Apic,
+    transfer::Flip;
 
 constexpr int id = 4;
 
@@ -33,7 +34,8 @@ static_assert(bytes<3, double, Linear, Flip, Aluminium> == 140, "the paper's sce
 
 // and the affine matrix 9
 static_assert(bytes<3, double, QuadraticBSpline, Apic, Aluminium> == 26 * 8 + id);
-static_assert(bytes<3, double, QuadraticBSpline, Apic, Aluminium> == 212, "the accurate scene");
+static_assert(bytes<3, double, QuadraticBSpline, Apic, Aluminium> == 212, "quadratic APIC");
+static_assert(bytes<3, double, QuadraticBSpline, AffineFlip, Aluminium> == 212, "the accurate scene");
 
 // position 3, velocity 3, mass, volume ratio, deviatoric stress 6
 static_assert(bytes<3, double, Linear, Flip, ColdElastic> == 14 * 8 + id);

@@ -57,14 +57,9 @@ double largest_difference(const std::map<std::uint32_t, Vec<double, 3>>& a,
 
 template <class S>
 std::vector<double> numbers(S& solver) {
-  std::vector<double> all;
-  solver.particles().for_each_column([&](const auto& column) { all.insert(all.end(), column.begin(), column.end()); });
+  auto all = columns(solver);
   all.insert(all.end(), {solver.time(), solver.ledger().work, solver.active_fraction()});
   return all;
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 /// The cavity scene, coarse.

@@ -18,14 +18,6 @@ geometry::Box<D> cube(double from, double to) {
   return {.lower = Vec<double, D>::filled(from * h), .upper = Vec<double, D>::filled(to * h)};
 }
 
-/// All numbers of a solver's columns, column by column.
-template <class S>
-std::vector<double> numbers(S& solver) {
-  std::vector<double> all;
-  solver.particles().for_each_column([&](const auto& column) { all.insert(all.end(), column.begin(), column.end()); });
-  return all;
-}
-
 }  // namespace
 
 namespace {
@@ -86,9 +78,9 @@ TEMPLATE_TEST_CASE("a body at rest on a wall stays there exactly", "[solver]", M
                 aluminium};
   solver.fill(cube<3>(0, 3), aluminium, {.per_axis = 2, .jitter = 0.4});
   solver.refresh();
-  const auto before = numbers(solver);
+  const auto before = columns(solver);
   for (int i = 0; i < 20; ++i) solver.step();
-  CHECK(numbers(solver) == before);
+  CHECK(columns(solver) == before);
 }
 
 TEST_CASE("what leaves a period comes in on the other side", "[solver]") {
@@ -121,7 +113,7 @@ TEST_CASE("a boundary may be optional: given, it acts as if it were not", "[solv
                   timestep::Fixed{.dt = 3e-11}, wall, aluminium};
     solver.fill(cube<1>(0, 6), aluminium, {.velocity = Vec<double, 1>{-100}});
     for (int i = 0; i < 20; ++i) solver.step();
-    auto all = numbers(solver);
+    auto all = columns(solver);
     all.push_back(solver.ledger().impulse[0][0]);
     return all;
   };
@@ -147,10 +139,10 @@ TEST_CASE("a sort keeps a particle's numbers together and puts blocks in order",
   });
   for (int a = 0; a < 3; ++a)
     for (double& x : particles.column<field::Position>(a)) x = random(6 * h);
-  const auto before = numbers(solver);
+  const auto before = columns(solver);
   const std::size_t n = solver.size();
   solver.refresh();
-  const auto after = numbers(solver);
+  const auto after = columns(solver);
   const auto id = particles.column<field::Id>();
   std::size_t wrong = 0;
   for (std::size_t c = 0; c < after.size() / n; ++c)
@@ -187,7 +179,7 @@ TEST_CASE("the order in which parts are given changes neither type nor result", 
     solver->fill(cube<2>(0, 4), aluminium, {.velocity = {30, -100}, .jitter = 0.2});
     for (int i = 0; i < 10; ++i) solver->step();
   }
-  CHECK(numbers(one) == numbers(other));
+  CHECK(columns(one) == columns(other));
 }
 
 TEST_CASE("an update that is not named is update stress last", "[solver]") {

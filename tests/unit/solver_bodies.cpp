@@ -19,22 +19,6 @@ static_assert(std::is_same_v<decltype(copper), decltype(aluminium)>);
 
 const timestep::Cfl cfl{.courant = 0.4};
 
-/// Every number of every body, column by column.
-template <class S>
-std::vector<double> numbers(S& solver) {
-  std::vector<double> all;
-  const auto add = [&](auto& particles) {
-    particles.for_each_column([&](const auto& column) { all.insert(all.end(), column.begin(), column.end()); });
-  };
-  add(solver.template particles<0>());
-  if constexpr (S::bodies > 1) add(solver.template particles<1>());
-  return all;
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
 /// A ball of aluminium that flies into a block of another material in 3-D; 40 steps.
 template <class Scheme, class M, class Executor>
 auto collision(const M& block, const Executor& executor, std::vector<double>& momentum) {
@@ -59,7 +43,7 @@ auto collision(const M& block, const Executor& executor, std::vector<double>& mo
   for (std::size_t p = 0; p < hit.size(); ++p)
     gained += hit.template column<field::Mass>()[p] * hit.template column<field::Velocity>(2)[p];
   CHECK(gained < 0.05 * momentum[2]);  // both point down
-  return numbers(solver);
+  return columns(solver);
 }
 
 template <class Scheme, class M>
@@ -137,7 +121,7 @@ TEMPLATE_TEST_CASE("a body without particles changes no bit of the other", "[sol
                 {.velocity = {1000, 50, -200}, .jitter = 0.3});
     observe::History history{.every = 1e-10};
     solver.run({.until = 2e-9}, history);
-    auto all = numbers(solver);
+    auto all = columns(solver);
     for (const auto& s : history.samples)
       all.insert(all.end(), {s.v.min, s.v.low, s.v_grid.max, s.pressure.max, s.t_max, s.elastic});
     return all;

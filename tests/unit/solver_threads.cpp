@@ -54,15 +54,10 @@ auto after_30_steps(const Executor& executor) {
   solver.refresh();
   for (int i = 0; i < 30; ++i) solver.step();
   CHECK(solver.sorts() > 1);
-  std::vector<double> all;
-  solver.particles().for_each_column([&](const auto& column) { all.insert(all.end(), column.begin(), column.end()); });
+  auto all = columns(solver);
   for (const auto& part : solver.ledger().impulse) all.insert(all.end(), part.c, part.c + 3);
   all.insert(all.end(), {solver.time(), solver.ledger().work, solver.ledger().wall_loss});
   return all;
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ struct Id {
   using stored = std::uint32_t;
   static constexpr const char *name = "id", *unit = "1";
 };
-/// The affine velocity matrix C of APIC: the velocity near the particle is v + C (x - x_p).
+/// The affine velocity matrix C of APIC and affine FLIP: the velocity near the particle is v + C (x - x_p).
 struct Affine {
   using shape = shape_of::Matrix;
   static constexpr const char *name = "affine", *unit = "1/s";

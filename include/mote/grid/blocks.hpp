@@ -64,7 +64,7 @@ struct Blocks {
   }
 
   /// Takes the mass of a block's nodes.
-  void empty(std::size_t block) {
+  void clear_mass(std::size_t block) {
     std::fill_n(mass.data() + block * std::size_t(block_nodes<D>), block_nodes<D>, T(0));
   }
 

@@ -11,7 +11,8 @@ namespace mote::heat {
 /// Free surfaces, walls and symmetry planes are insulated; periodic ends are not. Bodies that conduct share one nodal
 /// temperature where they touch; to a body without heat::Conducting no heat flows. passes/conduction.hpp says how.
 ///
-/// The grid conducts once per `every` steps, ahead for all of them. 0 takes as many as stay within the explicit limit
+/// The grid conducts once per `every` steps, for those gone by and the one that begins, so temperatures lag by up to
+/// `every` - 1 steps' conduction, at the end of a run too. 0 takes as many as stay within the explicit limit
 /// h^2/(2 d alpha), alpha = k/(rho0 cv), half of it with linear hats (aluminium, h = 1 um, three dimensions: 26 steps,
 /// or 13); where the steps asked for are longer than that, the grid conducts in several rounds. Of several bodies the
 /// most demanding one decides. With linear hats fill by Method::lattice: slivers can be unstable.

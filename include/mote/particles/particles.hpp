@@ -126,6 +126,13 @@ class Particles<T, D, fields<Tags...>> {
     };
     (visit(std::get<detail::Column<Tags, T, D>>(columns_)), ...);
   }
+  template <class F>
+  void for_each_column(F&& f) const {
+    const auto visit = [&](const auto& column) {
+      for (const auto& data : column.data) f(data);
+    };
+    (visit(std::get<detail::Column<Tags, T, D>>(columns_)), ...);
+  }
 
  private:
   template <class Tag, class Value>

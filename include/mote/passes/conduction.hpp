@@ -74,24 +74,6 @@ template <class Shape, class B, class T, int D>
   }
 }
 
-/// Calls f(first, n, number in the batch, in_cells) for the packs of a tile, each batch after `gather(at)`.
-template <class Shape, class B, class T, int D, class Gather, class F>
-[[gnu::always_inline]] inline void for_each_gathered_pack(const B& body, const Tile<D>& tile, const Frame<T, D>& frame,
-                                                          const NodeBox<D>& box, const Gather& gather, const F& f) {
-  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
-  BatchNodes<Shape, T, D> at;
-  for_each_batch(tile, [&](std::size_t begin, int count) {
-    at.clear();
-    for (int i = 0; i < count; i += lanes) {
-      Values<Pack<T>, D, union_of<fields<field::Position>, particle_fields_of<Shape>>> p;
-      body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
-      at.append(in_tile.in_cells(get<field::Position>(p)), box, half_sizes<Shape>(p, in_tile.per_spacing));
-    }
-    gather(at);
-    for (int i = 0; i < count; i += lanes) f(begin + std::size_t(i), std::min(lanes, count - i), i, in_tile);
-  });
-}
-
 /// Heat per second into the nodes, -sum V k grad T . grad w, and sum w m cv (T_p - sum w T_i) of one tile.
 template <class Shape, class B, class T, int D>
 [[gnu::flatten, gnu::noinline]] void scatter_flux(const B& body, const Tile<D>& tile, const std::vector<Link<D>>& links,

@@ -50,7 +50,7 @@ class Phases : public State<Shape, Transfer, T, D, Execution, Sleep, Loads, Mate
   /// Velocities of all nodes before forces and loads, within the boundaries.
   void find_velocity() {
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
-      if (idle(b)) return blocks_.empty(b);
+      if (idle(b)) return blocks_.clear_mass(b);
       divide_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_);
     });
     hold(blocks_.velocity, frame_velocity_);
@@ -71,7 +71,7 @@ class Phases : public State<Shape, Transfer, T, D, Execution, Sleep, Loads, Mate
   void update_grid() {
     block_ledgers_.assign(blocks_.index.size() + orbits_.blocks(), {});
     executor_.for_each(blocks_.index.size(), [&](std::size_t b) {
-      if (idle(b)) return blocks_.empty(b);
+      if (idle(b)) return blocks_.clear_mass(b);
       block_ledgers_[b] = accelerate_block(std::uint32_t(b), tiling_, accumulators_.data(), Shape::support, blocks_,
                                            frame_, loads_, time_, dt_);
     });

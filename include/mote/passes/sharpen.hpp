@@ -35,16 +35,8 @@ template <class Shape, class B, class T, int D>
   }
   T* returned = accumulators + tile.buffer * width;
   std::fill_n(returned, box.size * width, T(0));
-  const TileFrame<T, D> in_tile = frame.of_block(tile.block);
-  BatchNodes<Shape, T, D> at;
   SumColumns<value, T, D> sums;
-  for_each_batch(tile, [&](std::size_t begin, int count) {
-    at.clear();
-    Values<Pack<T>, D, union_of<fields<field::Position, field::Mass>, particle_fields_of<Shape>>> p;
-    for (int i = 0; i < count; i += lanes) {
-      body.particles.load(begin + std::size_t(i), std::min(lanes, count - i), p);
-      at.append(in_tile.in_cells(get<field::Position>(p)), box, half_sizes<Shape>(p, in_tile.per_spacing));
-    }
+  const auto gather_value = [&](BatchNodes<Shape, T, D>& at) {
     at.for_each_window([&](int i, int node, const auto& stencil, unsigned bits,
                            bool some) __attribute__((always_inline)) {
       for (int c = 0; c < D; ++c) {
@@ -55,15 +47,17 @@ template <class Shape, class B, class T, int D>
           sums.template put<false>(i, c, of_node, bits);
       }
     });
-    for (int i = 0; i < count; i += lanes) {
-      const int n = std::min(lanes, count - i);
-      body.particles.load(begin + std::size_t(i), n, p);
-      Momentum<T, D> brought;
-      for (int c = 0; c < D; ++c) brought.value[c] = get<field::Mass>(p) * sums.value(i, c);
-      scatter_pack<Shape, AxisWeights::none>(returned, box, in_tile.in_cells(get<field::Position>(p)), n, brought.value,
-                                             brought.axis, half_sizes<Shape>(p, in_tile.per_spacing));
-    }
-  });
+  };
+  for_each_gathered_pack<Shape>(
+      body, tile, frame, box, gather_value,
+      [&](std::size_t first, int n, int i, const auto& in_tile) __attribute__((always_inline)) {
+        Values<Pack<T>, D, union_of<fields<field::Position, field::Mass>, particle_fields_of<Shape>>> p;
+        body.particles.load(first, n, p);
+        Momentum<T, D> brought;
+        for (int c = 0; c < D; ++c) brought.value[c] = get<field::Mass>(p) * sums.value(i, c);
+        scatter_pack<Shape, AxisWeights::none>(returned, box, in_tile.in_cells(get<field::Position>(p)), n,
+                                               brought.value, brought.axis, half_sizes<Shape>(p, in_tile.per_spacing));
+      });
 }
 
 /// residual -= S+ S residual on a block's nodes, before any plane. \return sum m (residual before) (residual after)

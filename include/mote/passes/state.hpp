@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -54,6 +55,7 @@ class State<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials
   AlignedVector<T> accumulators_;
   std::vector<TileReport> reports_;
   std::vector<GridLedger<D>> block_ledgers_;
+  std::vector<double> block_sums_;
   GridLedger<D> ledger_;
   bool remaps_;
   double disorder_ = 0;  ///< windows since the last sort beyond what the sorted particles took
@@ -258,11 +260,9 @@ class State<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials
   /// The sum of f(block) over blocks that are awake, in their order.
   template <class F>
   double sum_over_blocks(const F& f) {
-    block_ledgers_.assign(blocks_.index.size(), {});
-    for_each_block([&](std::uint32_t b) { block_ledgers_[b].work = f(b); });
-    double sum = 0;
-    for (const auto& l : block_ledgers_) sum += l.work;
-    return sum;
+    block_sums_.assign(blocks_.index.size(), 0);
+    for_each_block([&](std::uint32_t b) { block_sums_[b] = f(b); });
+    return std::accumulate(block_sums_.begin(), block_sums_.end(), 0.0);
   }
 
   /// The grid goes with a plane that moves.
@@ -303,6 +303,7 @@ class State<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials
     reserve_amply(accumulators_, numbers);
     accumulators_.resize(numbers);
     reserve_amply(block_ledgers_, blocks_.index.size() + orbits_.blocks());
+    if constexpr (sharpens<Transfer> != Sharpens::nothing) reserve_amply(block_sums_, blocks_.index.size());
   }
 
   /// As std::apply would, which asks of each f whether it may throw and so compiles it twice.

@@ -14,7 +14,7 @@ namespace mote::sleep {
 /// A tile (the particles of one block of 4^D cells) of one velocity and without stress sleeps while its neighbours are
 /// like it: it is neither transferred nor updated, and moves as a whole. passes/sleep.hpp says when it wakes.
 ///
-/// A particle's disturbance is the largest component of (v - v_ref)/c, sigma/(rho c^2) and, with APIC, h C/c, where c
+/// A particle's disturbance is the largest component of (v - v_ref)/c, sigma/(rho c^2) and, with an affine field, h C/c, where c
 /// is its longitudinal speed of sound. What lies below the tolerance may be held up at the edge of what sleeps. The
 /// default is the largest power of ten with which every column of the cavity's history agrees with that of a run
 /// without sleep to 1e-9 of its maximum: to 1.2e-10 (docs/performance.md, bench/plot_sleep.py). The material must not

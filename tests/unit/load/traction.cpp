@@ -34,6 +34,23 @@ auto momentum_of(const S& solver) {
 
 }  // namespace
 
+TEST_CASE("traction: a region that throws leaves nothing behind", "[load]") {
+  struct Throws {
+    bool contains(const Vec<double, 1>& x) const {
+      if (x[0] > 3 * h) throw std::runtime_error("no region here");
+      return true;
+    }
+  };
+  Solver solver{grid::Cartesian<1>{.spacing = h}, shape::Linear{}, transfer::Flip{}, timestep::Fixed{.dt = 1e-11},
+                load::Traction<1>{.side = side::x_max, .traction = Vec<double, 1>{1}, .where = Throws{}}, linear};
+  const auto bar = [](double to) { return geometry::Box<1>{.lower = {0}, .upper = {to * h}}; };
+  CHECK_THROWS_WITH(solver.fill(bar(6), linear), "no region here");
+  CHECK(solver.size() == 0);
+  CHECK(solver.fill(bar(2), linear) == 4);
+  CHECK(solver.particles().column<field::Id>()[0] == 0);
+  CHECK_NOTHROW(solver.step());
+}
+
 TEST_CASE("traction: faces of one side, where a region says, not at planes, ends of periods or inside", "[load]") {
   using enum geometry::Method;
   for (const auto method : {lattice, fraction})

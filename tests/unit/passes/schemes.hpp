@@ -1,8 +1,10 @@
 /// \file
-/// The schemes that the library offers so far, and the metal of the scenes, for the tests of the passes.
+/// Schemes, the metal of the scenes, and what tests of the passes ask of a solver.
 #pragma once
 
+#include <cstring>
 #include <random>
+#include <vector>
 
 #include <mote/mote.hpp>
 
@@ -68,6 +70,20 @@ typename Scheme::Transfer transfer_of(double blend) {
 #define MOTE_TEST_SCHEMES                                                                                 \
   MOTE_TEST_LINEAR_SCHEMES, MOTE_TEST_QUADRATIC_SCHEMES, MOTE_TEST_CUBIC_SCHEMES, MOTE_TEST_GIMP_SCHEMES, \
       MOTE_TEST_AFFINE_FLIP_SCHEMES
+
+/// All numbers of a solver's columns, column by column, body by body.
+template <class S>
+std::vector<double> columns(const S& solver) {
+  std::vector<double> all;
+  solver.for_each_body([&](const auto&, const auto& particles) {
+    particles.for_each_column([&](const auto& column) { all.insert(all.end(), column.begin(), column.end()); });
+  });
+  return all;
+}
+
+inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
 
 struct Random {
   std::mt19937 generator{7};

@@ -29,8 +29,7 @@ auto momentum(const P& particles) {
 
 template <class S>
 std::vector<double> numbers(S& solver) {
-  std::vector<double> all;
-  solver.particles().for_each_column([&](const auto& column) { all.insert(all.end(), column.begin(), column.end()); });
+  auto all = columns(solver);
   for (const auto& part : solver.ledger().impulse) all.insert(all.end(), part.c, part.c + S::dimension);
   return all;
 }
@@ -58,10 +57,6 @@ auto after_20_steps(const X& transfer, const U& update, const Executor& executor
   const auto solver = shaken<Shape>(transfer, update, executor);
   for (int i = 0; i < 20; ++i) solver->step();
   return numbers(*solver);
-}
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 /// The largest relative difference of any two numbers.
