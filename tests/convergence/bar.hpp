@@ -46,7 +46,7 @@ struct Damped {
   }
 };
 
-/// The parts of the two presets of the cavity program.
+/// The parts of preset `paper` of the cavity program.
 struct LinearFlipMusl {
   static constexpr const char* name = "linear FLIP MUSL";
   static auto timestep(double) { return timestep::Cfl{.courant = 0.4}; }
@@ -54,6 +54,15 @@ struct LinearFlipMusl {
   shape::Linear shape;
   transfer::Flip transfer;
   update::Musl update;
+};
+/// Those of preset `accurate`.
+struct QuadraticAffineFlipUsl {
+  static constexpr const char* name = "quadratic AffineFlip USL";
+  static auto timestep(double) { return timestep::Cfl{.courant = 0.4}; }
+  static auto material() { return aluminium; }
+  shape::QuadraticBSpline shape;
+  transfer::AffineFlip transfer;
+  update::Usl update;
 };
 struct QuadraticApicUsl {
   static constexpr const char* name = "quadratic APIC USL";
