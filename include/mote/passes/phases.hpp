@@ -142,11 +142,11 @@ class Phases : public State<Shape, Transfer, T, D, Execution, Sleep, Loads, Mate
   }
   GridLedger<D> sharpen_by_residual(AlignedVector<T>& sharp) {
     // this->: g++ 12 falls over what a generic lambda calls in a base without it
-    const auto for_each_tile = [&](const auto& f) { this->for_each_awake_tile(f); };
-    const auto sum_over_blocks = [&](const auto& f) { return this->sum_over_blocks(f); };
-    const auto hold_to_planes = [&](AlignedVector<T>& residual) { return hold(residual, {}); };
-    GridLedger<D> given = passes::sharpen<Shape>(for_each_tile, sum_over_blocks, hold_to_planes, transfer_.order, sharp,
-                                                 tiling_, blocks_, frame_, accumulators_.data());
+    const auto tiles = [&](const auto& f) { this->for_each_awake_tile(f); };
+    const auto blocks = [&](const auto& f) { return this->sum_over_blocks(f); };
+    const auto planes = [&](AlignedVector<T>& residual) { return hold(residual, {}); };
+    GridLedger<D> given = passes::sharpen<Shape>(tiles, blocks, planes, transfer_.order, sharp, tiling_, blocks_,
+                                                 frame_, accumulators_.data());
     for (const auto& impulse : given.impulse) given.piston_work += dot(impulse, frame_velocity_);
     given.work += given.piston_work;
     return given;
