@@ -23,7 +23,8 @@ enum class Problem {
   axis_aligned,  ///< box in the plane whose sides slide along themselves, A = 0.05
   vortex,        ///< ring in the plane, cut by volume fraction, its middle turned by 1 rad and back, shear up to 6.9
   vortex_mild,   ///< the same by 0.2 rad, shear up to 1.4
-  vortex_small   ///< the same by 0.001 rad, cut by volume fraction
+  vortex_small,  ///< the same by 0.001 rad
+  vortex_dense   ///< by 0.2 rad, 4 particles per cell and axis
 };
 inline constexpr int problems_of_the_line = 6;
 
@@ -44,6 +45,7 @@ Methods cubic();
 /// Some combinations, for the problems in the plane.
 Methods plane();
 Methods more_in_plane();
+Methods cubic_in_plane();
 
 /// Errors on meshes of n, 2n, 4n, ... cells.
 inline std::vector<double> errors(const Method& method, Problem problem, int coarsest, int meshes) {

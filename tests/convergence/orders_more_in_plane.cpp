@@ -6,6 +6,5 @@ orders::Methods orders::more_in_plane() {
   add_plane<shape::QuadraticBSpline>(all, "quadratic", "AFLIP", transfer::AffineFlip{});
   add_plane<shape::QuadraticBSpline>(all, "quadratic", "AFLIP(1)", transfer::AffineFlip{.order = 1});
   add_plane<shape::ContiguousGimp>(all, "cpGIMP", "FLIP", transfer::Flip{});
-  add_plane<shape::CubicBSpline>(all, "cubic", "FLIP", transfer::Flip{});
   return all;
 }

@@ -19,6 +19,7 @@ struct Scene {
   double scale;     ///< m, of the displacement
   double duration;  ///< s
   geometry::Method fill;
+  int per_axis;
 };
 
 inline auto box_along_axes() {
@@ -32,20 +33,26 @@ inline auto box_along_axes() {
                1.6 * rubber.longitudinal_speed(),
                0.05,
                2 / rubber.bar_speed(),
-               geometry::Method::lattice};
+               geometry::Method::lattice,
+               2};
 }
 
 /// \param angle rad
-inline auto vortex(double angle) {
+inline auto vortex(double angle, int per_axis) {
   const auto rubber = exact::NeoHookean::from_young(1000, 1000, 0.3);
   const exact::GeneralizedVortex<2> motion{{.material = rubber, .amplitude = angle}};
   const double shear = 6.9 * angle;  // the largest R d_R alpha; along it b = 1 + shear^2 at most, and a bit
   const double wave = std::sqrt((rubber.mu * (3 + shear * shear) + rubber.lambda) / rubber.rho0);
   return Scene{
-      motion, geometry::Ball<2>{.centre = {0, 0}, .radius = 1.25} - geometry::Ball<2>{.centre = {0, 0}, .radius = 0.75},
-      2.0,    false,
-      wave,   angle,
-      1.0,    geometry::Method::fraction};
+      motion,
+      geometry::Ball<2>{.centre = {0, 0}, .radius = 1.25} - geometry::Ball<2>{.centre = {0, 0}, .radius = 0.75},
+      2.0,
+      false,
+      wave,
+      angle,
+      1.0,
+      geometry::Method::fraction,
+      per_axis};
 }
 
 /// Puts the particles where the motion begins; see the one on the line.
@@ -106,7 +113,7 @@ double run(const Transfer& transfer, const AnyUpdate& update, const S& scene, in
                 boundary::Symmetry{.side = side::y_max, .at = scene.plane},
                 load::BodyForce<2>{scene.exact.body_force_field()},
                 rubber};
-  solver.fill(scene.region, rubber, {.per_axis = 2, .method = scene.fill});
+  solver.fill(scene.region, rubber, {.per_axis = scene.per_axis, .method = scene.fill});
   auto& p = solver.particles();
   std::vector<Point> X(p.size());
   for (std::size_t i = 0; i < p.size(); ++i)
@@ -127,8 +134,8 @@ template <class Shape, class Transfer>
 void add_plane(Methods& all, const char* shape, const char* name, const Transfer& transfer) {
   add(all, shape, name, [=](const AnyUpdate& update, Problem problem, int cells) {
     if (problem == Problem::axis_aligned) return run<Shape>(transfer, update, box_along_axes(), cells);
-    const double angle = problem == Problem::vortex ? 1 : problem == Problem::vortex_mild ? 0.2 : 1e-3;
-    return run<Shape>(transfer, update, vortex(angle), cells);
+    const double angle = problem == Problem::vortex ? 1 : problem == Problem::vortex_small ? 1e-3 : 0.2;
+    return run<Shape>(transfer, update, vortex(angle, problem == Problem::vortex_dense ? 4 : 2), cells);
   });
 }
 

@@ -43,7 +43,7 @@ def draw(axes, title, rows):
     axes.text(1 / 110, 6e-5, "order 2", color="#444444", fontsize=9)
     axes.set_title(title, fontsize=11)
     axes.set_xlabel("h, m")
-    axes.set_ylim(1e-5, 3)
+    axes.set_ylim(2e-6, 3)
     axes.set_xticks([1 / 256, 1 / 128, 1 / 64, 1 / 32, 1 / 16], ["1/256", "1/128", "1/64", "1/32", "1/16"])
     axes.minorticks_off()
     axes.grid(color="#eeeeee")
