@@ -91,6 +91,7 @@ constexpr Rule rules[] = {
     {any, any, any, Problem::vibration, about(2)},
     // in the plane: what is crossed are cells along both axes
     {"cpGIMP", "FLIP", "USL", Problem::axis_aligned, about(2)},
+    {"cubic", any, any, Problem::axis_aligned, about(1.8), crossing},
     {any, any, any, Problem::axis_aligned, none, crossing},
     {"linear", "FLIP", "USL", Problem::vortex_small, none, "hats at a cut edge: light nodes; the run fails"},
     {any, any, any, Problem::vortex_small, about(2)},
