@@ -21,7 +21,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 TOLERANCES = [10.0**e for e in range(-16, -5)]
-DEFAULT, DEMANDED = 1e-8, 1e-9
+DEFAULT, DEMANDED = 1e-9, 1e-9
 
 
 def run(cavity, out, *options):
