@@ -19,34 +19,10 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
 build=$root/build/cavity-release
+. "$here/packages.sh"
 
 needed=(g++ cmake ninja-build libeigen3-dev libcli11-dev nlohmann-json3-dev python3 python3-numpy python3-pil
   python3-matplotlib python3-vtk9 xvfb xauth)
-
-# Leaves those of the given packages that are not installed in `missing`.
-find_missing() {
-  missing=()
-  local package
-  for package in "$@"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-  done
-}
-
-# Tries to install the packages; leaves those that are still not there in `missing`.
-install() {
-  find_missing "$@"
-  [ ${#missing[@]} -eq 0 ] && return
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    sudo -n true 2>/dev/null || return 0
-    as_root=(sudo -n)
-  fi
-  echo "installing ${missing[*]}"
-  "${as_root[@]}" apt-get update -qq >/dev/null 2>&1 || true
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
-    >/dev/null 2>&1 || true
-  find_missing "$@"
-}
 
 out=$root/build/paper arguments=()
 while [ $# -gt 0 ]; do
@@ -62,11 +38,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-install "${needed[@]}"
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "missing packages that could not be installed (root or sudo, and apt, are needed): ${missing[*]}" >&2
-  exit 2
-fi
+demand_packages "${needed[@]}"
 
 echo "building (some minutes the first time)"
 log=$(mktemp)

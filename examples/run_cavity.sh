@@ -11,34 +11,10 @@ set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(dirname "$here")
 build=$root/build/cavity-release
+. "$here/packages.sh"
 
 needed=(g++ cmake ninja-build libeigen3-dev libcli11-dev nlohmann-json3-dev)
 plotting=(python3 python3-numpy python3-matplotlib python3-vtk9 xvfb xauth)
-
-# Leaves those of the given packages that are not installed in `missing`.
-find_missing() {
-  missing=()
-  local package
-  for package in "$@"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-  done
-}
-
-# Tries to install the packages; leaves those that are still not there in `missing`.
-install() {
-  find_missing "$@"
-  [ ${#missing[@]} -eq 0 ] && return
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    sudo -n true 2>/dev/null || return 0
-    as_root=(sudo -n)
-  fi
-  echo "installing ${missing[*]}"
-  "${as_root[@]}" apt-get update -qq >/dev/null 2>&1 || true
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
-    >/dev/null 2>&1 || true
-  find_missing "$@"
-}
 
 # Of history.csv at a time (ns): "single low grid" for a word, min or max; nothing if the run has no such sample.
 measured() {
@@ -62,13 +38,9 @@ compare() {
   grep -q '"speed_m_s": 100.0' "$1/summary.json" || echo "(the paper's numbers are for a launch at 100 m/s)"
 }
 
-install "${needed[@]}"
-if [ ${#missing[@]} -gt 0 ]; then
-  echo "missing packages that could not be installed (root or sudo, and apt, are needed): ${missing[*]}" >&2
-  exit 2
-fi
+demand_packages "${needed[@]}"
 pictures=yes
-install "${plotting[@]}"
+install_packages "${plotting[@]}"
 [ ${#missing[@]} -gt 0 ] && pictures="not made: ${missing[*]} could not be installed"
 
 echo "building (a minute or two the first time)"

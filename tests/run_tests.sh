@@ -12,6 +12,7 @@
 # as one failure. Exit code: 0 all passed, 1 something failed, 2 packages are missing.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. examples/packages.sh
 
 presets=(gcc-release clang-release)
 packages=(g++ cmake ninja-build libeigen3-dev catch2 librapidcheck-dev libbenchmark-dev libcli11-dev nlohmann-json3-dev
@@ -31,36 +32,6 @@ while [ $# -gt 0 ]; do
   shift
 done
 [ $clang = yes ] || { presets=(gcc-release); unset 'packages[-1]'; }
-
-# Leaves the packages that are not installed in `missing`.
-find_missing() {
-  missing=()
-  local package
-  for package in "${packages[@]}"; do
-    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
-  done
-}
-
-install_missing() {
-  find_missing
-  [ ${#missing[@]} -eq 0 ] && return
-  local as_root=()
-  if [ "$(id -u)" -ne 0 ]; then
-    if ! sudo -n true 2>/dev/null; then
-      echo "missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
-      exit 2
-    fi
-    as_root=(sudo -n)
-  fi
-  echo "installing ${missing[*]}"
-  "${as_root[@]}" apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
-  find_missing
-  if [ ${#missing[@]} -gt 0 ]; then
-    echo "apt could not install: ${missing[*]}" >&2
-    exit 2
-  fi
-}
 
 passed=0
 failed=0
@@ -98,7 +69,7 @@ run() {
   fi
 }
 
-install_missing
+demand_packages "${packages[@]}"
 mkdir -p build
 for preset in "${presets[@]}"; do
   run "$preset" "$@"

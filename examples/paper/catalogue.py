@@ -96,8 +96,6 @@ def field_runs(s):
     for h in s.fields:
         for speed, times in ((100, FIELD_TIMES), (1000, (0, 7.2, 12))):
             options = mesh(h) + ("--speed", str(speed))
-            if h == s.fields[-1] != s.trend[-1]:
-                options += ("--until", "12")  # the finest mesh: no figure or claim but the end of figure 6 needs more
             particles = (6,) if speed == 100 and h == s.trend[-1] else ()
             yield study(f"default_h{h:g}_v{speed}", *options, grid=times, particles=particles)
 

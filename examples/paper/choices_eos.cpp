@@ -8,36 +8,19 @@ namespace {
 
 using cavity::Options, cavity::Result, cavity::Voice;
 
-/// Mie-Grueneisen with another curve in tension, x > 1.
+/// Mie-Grueneisen with another curve in tension, x > 1. Its energies stay those of the library's curve: the ledger
+/// only.
 template <class Tension>
-struct Stretched {
-  using role = mote::role::Eos;
-
-  mote::eos::MieGruneisen reference = pressure_law();
-  double rho0 = reference.rho0;
+struct Stretched : mote::eos::MieGruneisen {
+  Stretched() : MieGruneisen(pressure_law()) {}
 
   template <class T>
   T pressure(const T& x, const T& excess) const {
-    return mote::select(x > T(1), Tension::pressure(reference, x), reference.hugoniot_pressure(x)) +
-           T(rho0 * reference.gamma0) * excess;
+    return mote::select(x > T(1), Tension::pressure(*this, x), hugoniot_pressure(x)) + T(gamma0 * rho0) * excess;
   }
   template <class T>
   T bulk_sound_speed2(const T& x, const T& excess) const {
-    return mote::select(x > T(1), Tension::sound2(reference, x), reference.bulk_sound_speed2(x, excess));
-  }
-  /// In tension that of the library's curve: the ledger only.
-  template <class T>
-  T reference_energy(const T& x) const {
-    return reference.reference_energy(x);
-  }
-  template <class T>
-  T reference_heating(const T& x) const {
-    return reference.reference_heating(x);
-  }
-  double gamma_over_volume() const { return reference.gamma_over_volume(); }
-  template <class T>
-  auto admissible(const T& x) const {
-    return reference.admissible(x);
+    return mote::select(x > T(1), Tension::sound2(*this, x), MieGruneisen::bulk_sound_speed2(x, excess));
   }
   friend bool operator==(const Stretched&, const Stretched&) = default;
 };
@@ -68,6 +51,8 @@ struct Hugoniot {
     return T(e.c0 * e.c0) * x * x * (T(1) + lq) / (d * d * d);
   }
 };
+
+static_assert(mote::Eos<Stretched<AsPrinted>> && mote::Eos<Stretched<Hugoniot>>);
 
 Result run_printed(const Options& o, const Extra& x, const Voice& v) {
   return simulate(mote::Material{Stretched<AsPrinted>{}, flow_law(o), warmth()}, o, x, v);

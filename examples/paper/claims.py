@@ -17,7 +17,7 @@ import claims_growth
 import claims_motion
 import measures
 from figures import Runs
-from rows import HEAD, number
+from rows import HEAD, number, percent
 
 
 def choices(runs):
@@ -35,11 +35,11 @@ def choices(runs):
             for column, time, _ in columns:
                 value, base = run.at(time, column), usual.at(time, column)
                 offset = 300 if column == "t_max_k" else 0
-                cells.append(number(value) if run is usual else
-                             "-" if value != value else f"{100 * ((value - offset) / (base - offset) - 1):+.1f}%")
+                cells.append(number(value - offset) if run is usual else
+                             "-" if value != value else percent((value - offset) / (base - offset) - 1, 1))
             if run.summary["failure"]:
                 cells[0] = f"broke down at {run.history['time_ns'][-1]:.1f} ns"
-            lines.append(f"| {what} | {speed} | " + " | ".join(cells) + " |")
+            lines.append("| {} | {} | ".format(what.replace("|", "\\|"), speed) + " | ".join(cells) + " |")
     return lines
 
 

@@ -8,7 +8,8 @@ import catalogue
 import curves
 import measures
 import shapes
-from rows import ARTEFACT, HOLDS, NOT, QUALITATIVE, Row, converged, number, spread, with_bar
+from rows import (ARTEFACT, HOLDS, NOT, QUALITATIVE, Row, converged, in_full, number, of_default, order, percent, spread,
+                  with_bar)
 
 VOLUME, WIDTH, HEIGHT = "cavity_volume_um3", "cavity_width_um", "cavity_height_um"
 
@@ -36,7 +37,7 @@ def five_stages(runs):
                "best division of V(t) to 12 ns into five straight pieces; whether five is a special number shows in how much "
                "each further piece improves the fit", "five stages", said[0], f"{said[1]}; {fit}",
                HOLDS if distinct == 5 else
-               f"{QUALITATIVE}: the rate changes as said, but five is no special number (the fit gains most from piece {distinct})")
+               f"{QUALITATIVE}: the rate changes as said, but five is no special number (it gains most from piece number {distinct})")
 
 
 def linearity(run, column, stage=curves.LINEAR_STAGE):
@@ -82,10 +83,11 @@ def horizontal(runs):
         w, h = rates(run)
         return f"{w:.2f} against {h:.2f} µm/ns; faster from {faster:.1f} ns on, wider than high from {wider:.1f} ns on"
 
-    ratio, bar, _ = converged(runs, lambda run: rates(run)[0] / rates(run)[1])
+    ratio = converged(runs, lambda run: rates(run)[0] / rates(run)[1])
     return Row("Across the launch it grows faster than along it",
                "slopes of width and height from 3 to 7 ns; from when on, to 7 ns (rates over 1 ns)", "faster", words(runs.paper()),
-               f"{words(runs.finest())}; ratio {with_bar(ratio, bar, 2)}", HOLDS if ratio - bar > 1 else NOT)
+               f"{words(runs.finest())}; ratio {in_full(ratio, runs.mesh_sequence(), 2)}",
+               HOLDS if ratio.value - ratio.bar > 1 else NOT)
 
 
 def largest_rate(run, window=20):
@@ -102,15 +104,15 @@ def rate_law(runs):
         found = measures.fits(speeds, values)
         line, power = found["linear"], found["power law"]
         text = (f"{line[0][1]:.2f} v {line[0][0]:+.0f} µm³/ns, R² = {1 - (line[1] / np.std(values)) ** 2:.3f}; power law "
-                f"v^{power[0][1]:.2f}, AIC {power[2] - line[2]:+.0f} against it")
+                f"v^{power[0][1]:.2f}, of which the AIC differs by {power[2] - line[2]:+.0f}")
         return text, line[1] / np.mean(values), 1 - (line[1] / np.std(values)) ** 2, power[0][1]
 
     scheme = [words([rate(runs.paper(s)) for s in speeds])[0] for rate in (curves.growth_rate, largest_rate)]
-    ours = [words([curves.converged(runs, s, rate)[0] for s in speeds]) for rate in (curves.growth_rate, largest_rate)]
+    ours = [words([curves.converged(runs, s, rate).value for s in speeds]) for rate in (curves.growth_rate, largest_rate)]
     _, off, r2, exponent = ours[0]
     return Row("The growth rate of the volume is linear in the launch speed",
                f"slope of V from 3 to 7 ns, and largest rise over 2 ns, at {len(speeds)} speeds, {speeds[0]} to {speeds[-1]} m/s; "
-               "straight line against power law", "linear", f"{scheme[0]}; largest: {scheme[1]}",
+               "straight line against power law (the lower AIC is the better law)", "linear", f"{scheme[0]}; largest: {scheme[1]}",
                f"{ours[0][0]}; largest: {ours[1][0]}",
                HOLDS if off < 0.03 else f"{QUALITATIVE}: nearly, but faster than linear (v^{exponent:.2f})" if r2 > 0.95 else NOT)
 
@@ -130,17 +132,17 @@ def flat_face(runs):
                  for name, up in (("lower", False), ("upper", True))]
         return f"100 m/s: {'; '.join(faces)}. 1000 m/s: lower {flatness(fast, 7.2):.2f}, {flatness(fast, 12):.2f} (7.2, 12 ns)"
 
-    value, bar, _ = converged(runs, lambda run: flatness(run, 12))
-    quick, bar_quick, _ = converged(runs, lambda run: flatness(run, 7.2), 1000)
-    upper = converged(runs, lambda run: flatness(run, 12, True))[0]
-    flat, flatter = abs(value) < 0.35, value + bar < upper
+    slow, upper = (converged(runs, lambda run, up=up: flatness(run, 12, up)) for up in (False, True))
+    quick = converged(runs, lambda run: flatness(run, 7.2), 1000)
+    flat, flatter = abs(slow.value) < 0.35, slow.value + slow.bar < upper.value
     verdict = (HOLDS if flat and flatter else f"{HOLDS} at 1000 m/s, where it meets the wall; at 100 m/s it is flatter than the upper one"
-               if abs(quick) < 0.35 and flatter else QUALITATIVE + ": flatter than the upper one" if flatter else NOT)
+               if abs(quick.value) < 0.35 and flatter else QUALITATIVE + ": flatter than the upper one" if flatter else NOT)
     return Row("The lower face of the cavity becomes flat",
                "flatness number: sagitta of the face out to 0.65 of the half width, over a sphere's (1 round, 0 flat, negative: "
                "bulging inwards), at 0, 7.2, 12 ns", "flat", words(runs.paper(), runs.paper(1000)),
-               f"{words(runs.finest(), runs.finest(1000))}. At 100 m/s, 12 ns: lower {with_bar(value, bar, 2)}; at 1000 m/s, 7.2 ns "
-               f"{with_bar(quick, bar_quick, 2)}", verdict)
+               f"{words(runs.finest(), runs.finest(1000))}. Lower at 100 m/s, 12 ns "
+               f"{in_full(slow, runs.mesh_sequence(), 2)}; at 1000 m/s, 7.2 ns {in_full(quick, runs.mesh_sequence(1000), 2)}",
+               verdict)
 
 
 def roughness(run, time=12):
@@ -149,7 +151,7 @@ def roughness(run, time=12):
 
 def irregular(runs):
     meshes = runs.mesh_sequence()
-    value, bar, ours = converged(runs, roughness)
+    limit = converged(runs, roughness)
     jitter, around = spread(runs, roughness)
     jitter_ours, around_ours = spread(runs, roughness, "default")
     other = runs["paper_other_mesh"]
@@ -157,15 +159,15 @@ def irregular(runs):
               f"{roughness(runs['paper_fraction']):.2f}% with particles cut at the surface, {jitter:.2f} ± {around:.2f}% on "
               f"jittered lattices, {roughness(other):.2f}% on {other.config['spacing_um']:g} µm; at 1000 m/s "
               f"{roughness(runs.paper(1000)):.2f}%")
-    default = (f"{with_bar(value, bar, 2)}% ({roughness(runs.finest(), 0):.2f}% at the start; {', '.join(f'{r:.2f}% on {h:g} µm' for h, r in zip(meshes, ours))}); on "
+    default = (f"{in_full(limit, meshes, 2, '%')}; {roughness(runs.finest(), 0):.2f}% at the start on {meshes[-1]:g} µm; on "
                f"{meshes[0]:g} µm {roughness(runs['default_lattice']):.2f}% with whole particles, {jitter_ours:.2f} ± "
-               f"{around_ours:.2f}% jittered; at 1000 m/s {', '.join(f'{roughness(runs.default(h, 1000)):.2f}%' for h in runs.mesh_sequence(1000))}")
+               f"{around_ours:.2f}% jittered; at 1000 m/s {of_default(runs, roughness, 2, 1000, '%')}")
     return Row("The deformed cavity is irregular, because of an instability of Richtmyer and Meshkov's kind",
                "roughness at 12 ns: rms of the surface's radius beyond spherical harmonics of degree 6, over its mean; an "
                "instability of the metal would persist on finer meshes, and care little for the way of filling", "irregular",
-               scheme, default, HOLDS if value > 0.7 * roughness(runs.paper()) else
+               scheme, default, HOLDS if limit.value > 0.7 * roughness(runs.paper()) else
                f"{ARTEFACT} at 100 m/s: the finer the mesh, the smoother the surface (at 1000 m/s the edge at the wall counts)"
-               if ours[-1] < ours[0] else NOT)
+               if limit.values[-1] < limit.values[0] else NOT)
 
 
 def conduction(runs):
@@ -173,7 +175,8 @@ def conduction(runs):
         parts = [(name, with_heat.at(end, c) / without.at(end, c) - 1) for c, name in
                  ((VOLUME, "volume"), ("vz_high_m_s", "v_z high"), ("vz_low_m_s", "v_z low"))]
         rise = [run.at(end, "t_max_k") for run in (with_heat, without)]
-        return ", ".join(f"{name} {100 * x:+.2f}%" for name, x in parts) + f"; hottest particle {rise[0]:.1f} K instead of {rise[1]:.1f} K"
+        changes = ", ".join(f"{name} {percent(x, 2)}" for name, x in parts)
+        return f"{changes}; hottest particle {rise[0]:.1f} K instead of {rise[1]:.1f} K"
 
     ours, without = runs["choice_conducting_v100"], runs["choice_default_v100"]
     change = abs(ours.at(12, VOLUME) / without.at(12, VOLUME) - 1)
@@ -186,14 +189,15 @@ def conduction(runs):
 
 def volumes(runs):
     """The cavity's volume at three times: no claim of the paper, but what the others rest on."""
-    lines = ["| launch, m/s | time, ns | paper's scheme | default scheme by mesh | converged |", "|---|---|---|---|---|"]
+    lines = ["| launch, m/s | time, ns | paper's scheme | default scheme by mesh | converged | order |", "|---|---|---|---|---|---|"]
     for speed in curves.SHOWN:
         for time in (3, 7.2, 12):
             def volume(run, t=time):
                 return run.at(t, VOLUME)
-            value, bar, values = converged(runs, volume, speed)
-            by_mesh = ", ".join(f"{number(v)} ({h:g} µm)" for h, v in zip(runs.mesh_sequence(speed), values))
-            lines.append(f"| {speed} | {time:g} | {number(runs.paper(speed).at(time, VOLUME))} | {by_mesh} | {with_bar(value, bar)} |")
+            limit = converged(runs, volume, speed)
+            by_mesh = ", ".join(f"{number(v)} ({h:g} µm)" for h, v in zip(runs.mesh_sequence(speed), limit.values))
+            lines.append(f"| {speed} | {time:g} | {number(runs.paper(speed).at(time, VOLUME))} | {by_mesh} | {with_bar(limit)} | "
+                         f"{order(limit).removeprefix('order ')} |")
     return lines
 
 

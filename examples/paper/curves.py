@@ -20,7 +20,7 @@ def growth_rate(run, column="cavity_volume_um3", stage=LINEAR_STAGE):
 
 
 def converged(runs, speed, of_run):
-    """A number of runs on the default scheme's meshes, converged, with its error bar."""
+    """A number of runs on the default scheme's meshes, as a limit."""
     meshes = runs.mesh_sequence(speed)
     return measures.converge(meshes, [of_run(runs.default(h, speed)) for h in meshes])
 
@@ -29,8 +29,6 @@ def draw_histories(axes, runs, column, label):
     for speed, colour in zip(SHOWN, COLOURS):
         paper, fine = runs.sides(speed)
         axes.plot(paper.history["time_ns"], paper.history[column], color=colour, ls="--", lw=1.3)
-        longer = runs.default(runs.set.trend[-1], speed)  # the finest runs end earlier
-        axes.plot(longer.history["time_ns"], longer.history[column], color=colour, lw=0.8)
         axes.plot(fine.history["time_ns"], fine.history[column], color=colour, lw=2,
                   label=f"{speed} m/s (default: {fine.config['spacing_um']:g} µm)")
     axes.plot([], [], color="grey", ls="--", label=f"dashed: paper's scheme, {runs.paper().config['spacing_um']:g} µm")
@@ -41,7 +39,7 @@ def draw_histories(axes, runs, column, label):
 def draw_rates(axes, runs):
     speeds = np.array(catalogue.SPEEDS, float)
     paper = [growth_rate(runs.paper(s)) for s in catalogue.SPEEDS]
-    ours = np.array([converged(runs, s, growth_rate) for s in catalogue.SPEEDS])
+    ours = np.array([converged(runs, s, growth_rate)[:2] for s in catalogue.SPEEDS])
     axes.plot(speeds, paper, "s", mfc="none", color="#e07b00", label="paper's scheme")
     axes.errorbar(speeds, ours[:, 0], ours[:, 1], fmt="o", color="#1f6fb4", capsize=3, label="default scheme, converged")
     line = np.polyfit(speeds, ours[:, 0], 1)
@@ -115,7 +113,7 @@ def draw_fits(axes, speeds, values, colour):
 def draw_extremes(axes, runs, time, single, mean, sign, title):
     speeds = np.array(catalogue.SPEEDS, float)
     paper = [extreme(time, single, sign)(runs.paper(s)) for s in catalogue.SPEEDS]
-    ours = np.array([converged(runs, s, extreme(time, mean, sign)) for s in catalogue.SPEEDS])
+    ours = np.array([converged(runs, s, extreme(time, mean, sign))[:2] for s in catalogue.SPEEDS])
     axes.plot(speeds, paper, "s", mfc="none", color="#e07b00", label="paper's scheme: a single particle")
     draw_fits(axes, speeds, paper, "#e07b00")
     axes.errorbar(speeds, ours[:, 0], ours[:, 1], fmt="o", color="#1f6fb4", capsize=3,

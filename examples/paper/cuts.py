@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cavity"))
-from plot_frames import extended, refined  # noqa: E402
+from plot_frames import extended  # noqa: E402
 from surfaces import NAMES, describe, stride  # noqa: E402
 
 FIELDS = {"p": ("pressure", "MPa", "RdBu_r"), "vz": ("v_z", "m/s", "RdBu_r"), "rho": ("density", "kg/m³", "viridis"),
@@ -15,18 +15,14 @@ FIELDS = {"p": ("pressure", "MPa", "RdBu_r"), "vz": ("v_z", "m/s", "RdBu_r"), "r
 COLOURS = ("#e07b00", "#1f6fb4")
 
 
-def picture(grid, name):
-    """The field on the plane x = 0 on a finer mesh, nan where there is no metal."""
-    fraction = grid.rectangle(grid.fraction)
-    factor = max(1, int(round(6 * grid.h)))
-    inside = refined(fraction, factor) >= 0.5
-    return np.where(inside, refined(extended(grid.rectangle(getattr(grid, name)), fraction > 0.05), factor), np.nan)
-
-
 def draw(axes, grid, name, limits):
-    axes.imshow(picture(grid, name), origin="lower", extent=(grid.y[0], grid.y[-1], grid.z[0], grid.z[-1]),
-                interpolation="nearest", cmap=FIELDS[name][2], vmin=limits[0], vmax=limits[1])
-    axes.set_facecolor("#dddddd")
+    """The field on the plane x = 0; grey where there is no metal."""
+    fraction, half = grid.rectangle(grid.fraction), 0.5 * grid.h
+    axes.imshow(extended(grid.rectangle(getattr(grid, name)), fraction > 0.05), origin="lower",
+                extent=(grid.y[0] - half, grid.y[-1] + half, grid.z[0] - half, grid.z[-1] + half),
+                interpolation="bilinear", cmap=FIELDS[name][2], vmin=limits[0], vmax=limits[1])
+    axes.contourf(grid.y, grid.z, fraction, levels=(-1, 0.5), colors=("#dddddd",))
+    axes.set(facecolor="#dddddd", xlim=(grid.y[0], grid.y[-1]), ylim=(0, grid.z[-1]))
 
 
 def arrows(axes, grid, every=2.5):
@@ -86,9 +82,9 @@ def late(runs, number, names, limits, times=(7.2, 12)):
             for j, name in enumerate(names):
                 axes = row[2 * j + k]
                 draw(axes, grid, name, limits[name])
-                values = picture(grid, name)
+                values = grid.rectangle(getattr(grid, name))[grid.rectangle(grid.solid)]
                 label, unit, _ = FIELDS[name]
-                axes.set_title(f"{label}, {time:g} ns\n{np.nanmin(values):.0f} to {np.nanmax(values):.0f} {unit}", fontsize=10)
+                axes.set_title(f"{label}, {time:g} ns\n{values.min():.0f} to {values.max():.0f} {unit}", fontsize=10)
         row[0].set_ylabel(f"{side}\n{describe(run)}\n\nz  (µm)")
     for axes in rows[-1]:
         axes.set_xlabel("y  (µm)")

@@ -5,6 +5,7 @@ import heapq
 import json
 import pathlib
 import sys
+import typing
 
 import numpy as np
 
@@ -173,27 +174,39 @@ def joining_level(values, inside, seeds, goal):
     return -np.inf
 
 
-def converge(meshes, values):
-    """(value, error bar) from values on meshes from coarse to fine.
+class Limit(typing.NamedTuple):
+    """What values on ever finer meshes go to: with its error bar, and the order that three meshes show (nan: none)."""
+    value: float
+    bar: float
+    order: float
+    values: tuple  # by mesh
 
-    Three meshes: Richardson's value with the order that they show, if it lies between 0.5 and 3 (at most 2 is used), and
-    the whole correction as the bar; if no order shows, the finest value and the largest change. Two meshes: the value of
-    order 2, and the distance to that of order 1 as the bar. One mesh: no bar.
+
+def converge(meshes, values):
+    """The limit of values on meshes from coarse to fine.
+
+    Three meshes: if the changes show an order between 0.5 and 3, Richardson's value with that order (at most 2 is used),
+    and the whole correction as the bar. Else the finest value, and as the bar the last change, but no less than what
+    order 2 would have made of the change before; where the changes keep their sign and fall more slowly than order 0.5,
+    or grow, all that order 0.5 would still add. Two meshes: the value of order 2, and the distance to that of order 1 as
+    the bar. One mesh: no bar.
     """
     pairs = [(h, v) for h, v in zip(meshes, values) if np.isfinite(v)]
     if len(pairs) < 2:
-        return (pairs[0][1], np.nan) if pairs else (np.nan, np.nan)
+        return Limit(pairs[0][1] if pairs else np.nan, np.nan, np.nan, tuple(values))
     (h2, f2), (h3, f3) = pairs[-2:]
     ratio, last = h2 / h3, f3 - f2
     if len(pairs) == 2:
         second = last / (ratio ** 2 - 1)
-        return f3 + second, abs(last / (ratio - 1) - second)
+        return Limit(f3 + second, abs(last / (ratio - 1) - second), np.nan, tuple(values))
     before = f2 - pairs[-3][1]
-    order = np.log(before / last) / np.log(ratio) if last != 0 and before / last > 0 else -1
+    order = float(np.log(before / last) / np.log(ratio)) if last != 0 and before / last > 1 else np.nan
     if 0.5 <= order <= 3:
         correction = last / (ratio ** min(order, 2) - 1)
-        return f3 + correction, abs(correction)
-    return f3, max(abs(before), abs(last))
+        return Limit(f3 + correction, abs(correction), order, tuple(values))
+    slow = before * last > 0 and not order > 3
+    bar = abs(last) / (ratio ** 0.5 - 1) if slow else max(abs(last), abs(before) / ratio ** 2)
+    return Limit(f3, bar, order, tuple(values))
 
 
 def fits(speeds, values):

@@ -31,25 +31,43 @@ def number(value, digits=0):
     return f"{value:.{digits}f}" if np.isfinite(value) else "not measured"
 
 
-def with_bar(value, bar, digits=0):
-    return number(value, digits) + (f" ± {bar:.{digits}f}" if np.isfinite(bar) else " (one mesh)")
+def percent(part, digits=0):
+    """With its sign, unless it is zero at so many digits."""
+    text = f"{100 * part:+.{digits}f}%"
+    return text if float(text[:-1]) else text[1:]
 
 
-def sequence(meshes, values, digits=0):
-    """The values that a converged one rests on."""
-    return ", ".join(f"{number(v, digits)} on {h:g} µm" for h, v in zip(meshes, values))
+def with_bar(limit, digits=0):
+    """Value and bar; a digit more if the bar would else be 0."""
+    if not np.isfinite(limit.bar):
+        return f"{number(limit.value, digits)} (one mesh)"
+    digits += float(f"{limit.bar:.{digits}f}") == 0
+    bar = f"{limit.bar:.{digits}f}"
+    return f"{number(limit.value, digits)} ± {bar if float(bar) else 'less than ' + bar[:-1] + '1'}"
+
+
+def order(limit):
+    """Which order the meshes show, in words; nothing for fewer than three."""
+    if np.isfinite(limit.values).sum() < 3:
+        return ""
+    return f"order {limit.order:.1f}" if np.isfinite(limit.order) else "no order"
+
+
+def in_full(limit, meshes, digits=0, unit=""):
+    """A limit with its bar, the order, and the values that it rests on."""
+    rests_on = ", ".join(f"{number(v, digits)}{unit} on {h:g} µm" for h, v in zip(meshes, limit.values))
+    shown = order(limit)
+    return f"{with_bar(limit, digits)}{unit} ({shown + ': ' if shown else ''}{rests_on})"
 
 
 def converged(runs, of_run, speed=100):
-    """(value, bar, values by mesh) of the default scheme."""
+    """A number of the default scheme, as a limit."""
     meshes = runs.mesh_sequence(speed)
-    values = [of_run(runs.default(h, speed)) for h in meshes]
-    return (*measures.converge(meshes, values), values)
+    return measures.converge(meshes, [of_run(runs.default(h, speed)) for h in meshes])
 
 
-def of_default(runs, of_run, digits=0, speed=100):
-    value, bar, values = converged(runs, of_run, speed)
-    return f"{with_bar(value, bar, digits)} ({sequence(runs.mesh_sequence(speed), values, digits)})"
+def of_default(runs, of_run, digits=0, speed=100, unit=""):
+    return in_full(converged(runs, of_run, speed), runs.mesh_sequence(speed), digits, unit)
 
 
 def spread(runs, of_run, scheme="paper"):
@@ -61,7 +79,7 @@ def spread(runs, of_run, scheme="paper"):
 def judge(paper, scheme, value, bar):
     """Whether a number holds: the converged value within 10% (or its bar) of the paper's; else an artefact if the paper's
     scheme alone comes within 25%; else qualitative if it has the sign and at least half of the size."""
-    bar = bar if np.isfinite(bar) else 0
+    bar = bar if np.isfinite(bar) else 0  # one mesh
     if abs(value - paper) <= max(0.1 * abs(paper), bar):
         return HOLDS
     if abs(scheme - paper) <= 0.25 * abs(paper) and abs(scheme - paper) < abs(value - paper):

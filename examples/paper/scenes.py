@@ -30,11 +30,14 @@ def tiled(grid):
     return wide
 
 
-def level_surface(grid, name, level):
-    """The surface name = level in the metal."""
+def level_surface(grid, name, level, steep=0.0):
+    """The surface name = level in the metal, where the field changes by at least `steep` per um."""
     field = shapes.carried_into_void(getattr(grid, name), grid.solid)
-    image = shapes.image_of(grid, fraction=grid.fraction, **{name: field})
-    return shapes.kept(shapes.isosurface(image, name, level), "fraction", 0.5)
+    fields = {"fraction": grid.fraction, name: field}
+    if steep > 0:
+        fields["slope"] = np.sqrt(sum(part ** 2 for part in np.gradient(field, grid.h)))
+    surface = shapes.kept(shapes.isosurface(shapes.image_of(grid, **fields), name, level), "fraction", 0.5)
+    return shapes.kept(surface, "slope", steep) if steep > 0 else surface
 
 
 def cavity_surface(grid, centre_z):

@@ -5,18 +5,21 @@ import matplotlib.pyplot as plt
 import scenes
 
 NAMES = ("paper's scheme", "default scheme")
+TRANSFERS = {"aflip": "AffineFlip"}
+STEEP = 5.0  # m/s per um: where v_z changes less from place to place, its sign is chance
 
 
 def describe(run):
     c = run.config
     blend = "" if c["flip_blend"] in (None, 1) else f" {c['flip_blend']:g}"
-    return f"{c['shape']} {c['transfer'].upper()}{blend} {c['update'].upper()}, mesh {c['spacing_um']:g} µm"
+    transfer = TRANSFERS.get(c["transfer"], c["transfer"].upper())
+    return f"{c['shape']} {transfer}{blend} {c['update'].upper()}, mesh {c['spacing_um']:g} µm"
 
 
-def side_titles(rows, runs, offset=-0.06):
+def side_titles(rows, runs, offset=-0.01):
     for axes, name, run in zip(rows, NAMES, runs):
-        axes.text(offset, 0.5, f"{name}\n{describe(run).replace(', ', chr(10))}", transform=axes.transAxes, rotation=90, ha="center", va="center",
-                  fontsize=11, linespacing=1.3)
+        axes.text(offset, 0.5, f"{name}\n{describe(run).replace(', ', chr(10))}", transform=axes.transAxes, rotation=90,
+                  ha="right", va="center", multialignment="center", fontsize=11, linespacing=1.3)
 
 
 def stride(run, wanted):
@@ -32,10 +35,10 @@ def velocity(runs, times=(0.8, 1.2, 2.0, 3.0), limit=300):
             half = scenes.part(run.grid(time, stride(run, 0.5)), 0, 24)
             speed = dict(field="vz", limits=(-limit, limit))
             things = [scenes.actor(scenes.face(half, "vz"), smooth=False, **speed),
-                      scenes.actor(scenes.level_surface(half, "vz", 0), (1.0, 0.85, 0.2), 0.45),
+                      scenes.actor(scenes.level_surface(half, "vz", 0, STEEP), (1.0, 0.85, 0.2), 0.6),
                       scenes.actor(scenes.cavity_surface(half, run.config["centre_z_um"]), (0.55, 0.55, 0.55)),
                       scenes.actor(scenes.box(half), (0, 0, 0), smooth=False)]
-            axes.imshow(scenes.render(things, (10, 0, 12), 17, (1, -0.38, 0.32), (700, 560)))
+            axes.imshow(scenes.render(things, (10, 0, 12), 17, (1, -0.38, 0.32), (780, 560)))
             low, high = run.at(time, "vz_min_m_s"), run.at(time, "vz_max_m_s")
             axes.set_title(f"{time:g} ns: particles {low:.0f} to {high:.0f} m/s", fontsize=12)
             axes.axis("off")
@@ -43,8 +46,9 @@ def velocity(runs, times=(0.8, 1.2, 2.0, 3.0), limit=300):
     colours = plt.cm.ScalarMappable(plt.Normalize(-limit, limit), "RdBu_r")
     figure.colorbar(colours, ax=rows, label="v_z on the plane x = 0  (m/s)", fraction=0.015, extend="both")
     figure.suptitle(f"Figure 1. Launch at {sides[0].config['speed_m_s']:g} m/s away from the wall below: v_z on the plane x = 0; "
-                    "in front of it the surface v_z = 0 (yellow) and the cavity (grey).\nBehind the wave v_z is nearly 0 "
-                    "everywhere, so that the surface has several sheets. Box: 40 µm wide, 24 µm high, half as deep")
+                    "in front of it the cavity (grey) and the surface v_z = 0 (yellow),\ndrawn where v_z changes by more than "
+                    f"{STEEP:g} m/s per µm: elsewhere behind the wave v_z is 0 but for noise. Box: 40 µm wide, 24 µm high, half as "
+                    "deep")
     return figure, 75
 
 
@@ -86,9 +90,9 @@ def temperature(runs, time=6, levels=(310, 320, 330, 340)):
             hot = scenes.level_surface(grid, "t", level)
             if hot.GetNumberOfPoints():
                 things.append(scenes.actor(hot, plt.get_cmap("autumn_r")((level - 305) / 40)[:3]))
-            axes.imshow(scenes.render(things, (0, 0, 9.5), 9.5, (0.6, -1, -0.25), (560, 480)))
-            axes.plot([30, 30 + 5 * 480 / 19], [460, 460], color="black", lw=3)
-            axes.text(30 + 2.5 * 480 / 19, 450, "5 µm", ha="center", va="bottom")
+            axes.imshow(scenes.render(things, (0, 0, 8.5), 11, (0.6, -1, -0.25), (560, 480)))
+            axes.plot([30, 30 + 5 * 480 / 22], [460, 460], color="black", lw=3)
+            axes.text(30 + 2.5 * 480 / 22, 450, "5 µm", ha="center", va="bottom")
             hot_volume = float((grid.solid & (grid.t >= level)).sum()) * grid.h ** 3
             axes.set_title(f"{level} K: {hot_volume:.0f} µm³ are hotter" if hot_volume else f"{level} K: nowhere", fontsize=12)
             axes.axis("off")
