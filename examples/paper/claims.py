@@ -43,9 +43,24 @@ def choices(runs):
     return lines
 
 
+def ledger(runs):
+    """Lines: how well energy closes, and single particles' pressures, by mesh."""
+    lines = ["| launch, m/s | scheme | energy error, 7.2 ns | 15 ns | pressures at 7.2 ns, GPa | greatest pressure, GPa, and when |",
+             "|---|---|---|---|---|---|"]
+    for speed in (100, 1000):
+        for name, run in (("paper's", runs.paper(speed)), *(("default", runs.default(h, speed)) for h in runs.mesh_sequence(speed))):
+            errors = " | ".join(percent(run.at(time, "energy_error"), 2) for time in (7.2, 15))
+            low, high = (1e-3 * run.at(7.2, f"p_{side}_mpa") for side in ("min", "max"))
+            pressures = run.history["p_max_mpa"]
+            when = run.history["time_ns"][pressures.argmax()]
+            lines.append(f"| {speed} | {name}, {run.config['spacing_um']:g} µm | {errors} | {low:.2f} to {high:.2f} | "
+                         f"{1e-3 * pressures.max():.2f}, {when:.1f} ns |")
+    return lines
+
+
 def tables(runs):
     rows = claims_motion.rows(runs) + claims_fields.rows(runs) + claims_growth.rows(runs)
-    return {"claims": [HEAD, *(row.markdown() for row in rows)], "volumes": claims_growth.volumes(runs),
+    return {"claims": [HEAD, *(row.markdown() for row in rows)], "volumes": claims_growth.volumes(runs), "ledger": ledger(runs),
             "extremes": claims_motion.sizes_of_extremes(runs), "choices": choices(runs)}
 
 

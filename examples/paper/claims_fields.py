@@ -53,13 +53,14 @@ def isobars_join(runs, time, claim, paper, level):
     if min(cavity.value, past.value) >= level:
         verdict = HOLDS
     elif past.value >= level:
-        verdict = f"{QUALITATIVE}: it runs on past the cavities; they themselves are joined by that of {number(cavity.value)} MPa"
+        verdict = f"{QUALITATIVE}: it runs on past the cavities, which themselves are joined by that of {number(cavity.value)} MPa"
     else:
         verdict = QUALITATIVE + ": they join at another pressure"
     return Row(claim, "highest pressure at which metal of weaker tension makes a path from the cavity to the plane between two "
                f"cavities, and from one such plane to the next ({WALL_LAYER:g} µm < z < 30 µm); isobars of more tension surround "
                "it all", paper, words(runs.paper()),
-               f"from the cavity {in_full(cavity, runs.mesh_sequence())} MPa, past it {in_full(past, runs.mesh_sequence())} MPa",
+               f"from the cavity {in_full(cavity, runs.mesh_sequence(), 0, ' MPa')}, past it "
+               f"{in_full(past, runs.mesh_sequence(), 0, ' MPa')}",
                verdict)
 
 
@@ -73,7 +74,7 @@ def no_pressure(runs, time=9):
     volume = positive(runs.finest(), time)[0]
     return Row("At 9 ns no pressure is positive", f"nodes {WALL_LAYER:g} to {TOP:g} µm above the wall",
                "none", words(runs.paper()),
-               f"highest {in_full(top, runs.mesh_sequence())} MPa; finest mesh: {words(runs.finest())}",
+               f"highest {in_full(top, runs.mesh_sequence(), 0, ' MPa')}; finest mesh: {words(runs.finest())}",
                HOLDS if top.value - top.bar <= POSITIVE else QUALITATIVE + ": a little is" if volume < 50 else NOT)
 
 
@@ -171,7 +172,8 @@ def weak_tension(runs, times=(3, 7.2, 11)):
                          for t in times)
 
     tops = [converged(runs, lambda run, t=t: positive(run, t)[1]) for t in times]
-    said = ", ".join(f"{with_bar(top)} MPa at {t:g} ns ({order(top)})" for t, top in zip(times, tops))
+    shown = [f" ({order(top)})" if order(top) else "" for top in tops]
+    said = ", ".join(f"{with_bar(top)} MPa at {t:g} ns{by}" for t, top, by in zip(times, tops, shown))
     return Row("Around the cavity tension is weaker, and pressure even positive in places",
                f"metal with P > {POSITIVE:g} MPa (less is ringing), {WALL_LAYER:g} to {TOP:g} µm above the wall", "",
                words(runs.paper()),

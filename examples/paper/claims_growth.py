@@ -37,7 +37,7 @@ def five_stages(runs):
                "best division of V(t) to 12 ns into five straight pieces; whether five is a special number shows in how much "
                "each further piece improves the fit", "five stages", said[0], f"{said[1]}; {fit}",
                HOLDS if distinct == 5 else
-               f"{QUALITATIVE}: the rate changes as said, but five is no special number (it gains most from piece number {distinct})")
+               f"{QUALITATIVE}: the rate changes as said, but five is no special number (the fit gains most from piece number {distinct})")
 
 
 def linearity(run, column, stage=curves.LINEAR_STAGE):
@@ -197,7 +197,7 @@ def volumes(runs):
             limit = converged(runs, volume, speed)
             by_mesh = ", ".join(f"{number(v)} ({h:g} µm)" for h, v in zip(runs.mesh_sequence(speed), limit.values))
             lines.append(f"| {speed} | {time:g} | {number(runs.paper(speed).at(time, VOLUME))} | {by_mesh} | {with_bar(limit)} | "
-                         f"{order(limit).removeprefix('order ')} |")
+                         f"{order(limit).replace('no order', 'none').removeprefix('order ')} |")
     return lines
 
 

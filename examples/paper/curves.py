@@ -30,7 +30,7 @@ def draw_histories(axes, runs, column, label):
         paper, fine = runs.sides(speed)
         axes.plot(paper.history["time_ns"], paper.history[column], color=colour, ls="--", lw=1.3)
         axes.plot(fine.history["time_ns"], fine.history[column], color=colour, lw=2,
-                  label=f"{speed} m/s (default: {fine.config['spacing_um']:g} µm)")
+                  label=f"{speed} m/s (solid: default, {fine.config['spacing_um']:g} µm)")
     axes.plot([], [], color="grey", ls="--", label=f"dashed: paper's scheme, {runs.paper().config['spacing_um']:g} µm")
     axes.set(xlabel="time  (ns)", ylabel=label, xlim=(0, 15))
     axes.grid(alpha=0.25)
@@ -84,7 +84,7 @@ def growth(runs):
     both.grid(alpha=0.25)
     draw_places(places, runs)
     figure.suptitle("Figure 6. Growth of the cavity for four launch speeds "
-                    f"(paper's scheme: {describe(runs.paper())}; default: {describe(runs.finest())})")
+                    f"(paper's scheme: {describe(runs.paper())}; default: {describe(runs.finest()).split(', ')[0]}, meshes below)")
     return figure, 75
 
 

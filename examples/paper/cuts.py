@@ -53,17 +53,18 @@ def early(runs, times=(2, 3), top=26):
             arrows(row[k], grid)
             z, v = run.profile(time, "vz_m_s")
             z, v = with_gaps(z, v)
-            row[4].plot(z, v, color=COLOURS[k], label=f"{NAMES[k]}:\n{describe(run)}")
+            row[4].plot(z, v, color=COLOURS[k], label=NAMES[k])
         row[0].set_ylabel("z  (µm)")
         row[4].axhline(0, color="grey", lw=0.7)
         row[4].set(xlabel="z  (µm)", ylabel="v_z on the axis  (m/s)", xlim=(0, top), ylim=(-330, 330),
                    title=f"v_z along the axis, {time:g} ns (gap: cavity)")
-        row[4].legend(fontsize=8, loc="lower right", bbox_to_anchor=(1, 0.18))
+        row[4].legend(fontsize=8, loc="lower right")
         row[4].grid(alpha=0.25)
     bar(figure, rows[:, 1].tolist(), "p", limits["p"])
     bar(figure, rows[:, 3].tolist(), "vz", limits["vz"])
     figure.suptitle(f"Figure 2. Plane x = 0 through the cavity's axis, launch at {sides[0].config['speed_m_s']:g} m/s away from "
-                    "the wall at z = 0: pressure with velocity arrows, and v_z")
+                    "the wall at z = 0: pressure with velocity arrows, and v_z\n"
+                    f"(paper's scheme: {describe(sides[0])}; default: {describe(sides[1])}; grey: no metal)")
     return figure, 75
 
 

@@ -55,9 +55,9 @@ def order(limit):
 
 def in_full(limit, meshes, digits=0, unit=""):
     """A limit with its bar, the order, and the values that it rests on."""
-    rests_on = ", ".join(f"{number(v, digits)}{unit} on {h:g} µm" for h, v in zip(meshes, limit.values))
+    values, on = ", ".join(number(v, digits) for v in limit.values), ", ".join(f"{h:g}" for h in meshes)
     shown = order(limit)
-    return f"{with_bar(limit, digits)}{unit} ({shown + ': ' if shown else ''}{rests_on})"
+    return f"{with_bar(limit, digits)}{unit} ({shown + '; ' if shown else ''}{values} on {on} µm)"
 
 
 def converged(runs, of_run, speed=100):

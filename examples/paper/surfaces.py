@@ -91,13 +91,14 @@ def temperature(runs, time=6, levels=(310, 320, 330, 340)):
             if hot.GetNumberOfPoints():
                 things.append(scenes.actor(hot, plt.get_cmap("autumn_r")((level - 305) / 40)[:3]))
             axes.imshow(scenes.render(things, (0, 0, 8.5), 11, (0.6, -1, -0.25), (560, 480)))
-            axes.plot([30, 30 + 5 * 480 / 22], [460, 460], color="black", lw=3)
-            axes.text(30 + 2.5 * 480 / 22, 450, "5 µm", ha="center", va="bottom")
+            axes.plot([30, 30 + 5 * 480 / 22], [20, 20], color="black", lw=3)
+            axes.text(30 + 2.5 * 480 / 22, 30, "5 µm", ha="center", va="top")
             hot_volume = float((grid.solid & (grid.t >= level)).sum()) * grid.h ** 3
             axes.set_title(f"{level} K: {hot_volume:.0f} µm³ are hotter" if hot_volume else f"{level} K: nowhere", fontsize=12)
             axes.axis("off")
     side_titles(rows[:, 0], sides)
-    hottest = " and ".join(f"{run.at(time, 't_max_k'):.0f} K" for run in sides)
+    hottest = ", ".join(f"{run.at(time, 't_max_k'):.0f} K ({name})" for run, name in zip(sides, NAMES))
     figure.suptitle(f"Figure 5. Surfaces of constant temperature at {time:g} ns (start: 300 K; colours by level) around the cavity "
-                    f"(grey),\nlaunch at {sides[0].config['speed_m_s']:g} m/s, seen from below and the side. Hottest particle: {hottest}")
+                    f"(grey),\nlaunch at {sides[0].config['speed_m_s']:g} m/s, seen from below and the side. "
+                    f"Flat pieces below: warm metal at the wall. Hottest particle: {hottest}")
     return figure, 80
