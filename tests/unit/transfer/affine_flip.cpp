@@ -69,7 +69,7 @@ double apart(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-/// What the books do not close by is of the first order in the step: strain of the old step meets work of the new one.
+/// What the books do not close by falls with the step: strain and force are of different times in it.
 TEST_CASE("affine FLIP: energies and known losses close as the step shrinks, at any order", "[transfer][energy]") {
   for (const int order : {1, 2, 3}) {
     const auto [coarse_error, coarse_loss] = energy_and_loss(order, 0.1);
