@@ -100,5 +100,5 @@ def temperature(runs, time=6, levels=(310, 320, 330, 340)):
     hottest = ", ".join(f"{run.at(time, 't_max_k'):.0f} K ({name})" for run, name in zip(sides, NAMES))
     figure.suptitle(f"Figure 5. Surfaces of constant temperature at {time:g} ns (start: 300 K; colours by level) around the cavity "
                     f"(grey),\nlaunch at {sides[0].config['speed_m_s']:g} m/s, seen from below and the side. "
-                    f"Flat pieces below: warm metal at the wall. Hottest particle: {hottest}")
+                    f"Flat pieces below: warm metal at the wall.\nHottest particle: {hottest}")
     return figure, 80
