@@ -45,14 +45,17 @@ class Loop : public Grid {
 
  public:
   Metal metal;
-  double blend = 1;     ///< FLIP: 1, PIC: 0; no meaning with APIC
-  int order = 2;        ///< terms of the change of velocity, with affine FLIP
-  Vector gravity = {};  ///< body force per mass, m/s^2
-  Vector impulse = {};  ///< given by the planes since the beginning, N s
+  double blend = 1;       ///< FLIP: 1, PIC: 0; no meaning with APIC
+  int order = 2;          ///< terms of the change of velocity, with affine FLIP
+  double tail = 4.0 / 3;  ///< weight of the last of them
+  Vector gravity = {};    ///< body force per mass, m/s^2
+  Vector impulse = {};    ///< given by the planes since the beginning, N s
   Particles particles;
 
   explicit Loop(const Box& where, const Metal& material = {})
-      : Grid(where, ghosts), metal(material), inverse(1 / where.spacing) {}
+      : Grid(where, ghosts, S == Shape::quadratic ? 0.25 : (S == Shape::cubic ? 1.0 / 3 : 0)),
+        metal(material),
+        inverse(1 / where.spacing) {}
 
   /// Adds a particle at rest density; with GIMP a quarter of a cell is half its edge.
   void add(const Vector& x, const Vector& v, double mass, double temperature = 300) {
@@ -232,13 +235,15 @@ class Loop : public Grid {
     return g;
   }
 
-  /// v += (1 - S+ S) dv + (1 - S+ S)^2 dv + ..., dv = v - old: the terms of the consistent mass beyond the lumped one.
+  /// v += (1 - S+ S) dv + ... + tail (1 - S+ S)^(order - 1) dv, dv = v - old: the terms of the consistent mass beyond
+  /// the lumped one.
   void sharpen() {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (int a = 0; a < 3; ++a) nodes[i].p[a] = nodes[i].m * (motion[i].v[a] - motion[i].old[a]);
     std::vector<Motion> sum = motion;
     set_velocity<false>();  // motion now holds the term
     for (int j = 1; j < order; ++j) {
+      const double weight = j == order - 1 ? tail : 1;
       for (std::size_t p = 0; p < particles.size(); ++p) {
         const Stencil t = stencil(p);
         Vector v = gather<false, false, false>(t).v;
@@ -249,13 +254,13 @@ class Loop : public Grid {
         for (int a = 0; a < 3; ++a) {
           double& p = nodes[i].p[a];
           p = nodes[i].m * motion[i].v[a] - p;
-          impulse[a] -= p;
+          impulse[a] -= weight * p;
         }
       set_velocity<false>();
       for (std::size_t i = 0; i < nodes.size(); ++i)
         for (int a = 0; a < 3; ++a) {
-          sum[i].v[a] += motion[i].v[a];
-          impulse[a] += nodes[i].m * motion[i].v[a];
+          sum[i].v[a] += weight * motion[i].v[a];
+          impulse[a] += weight * nodes[i].m * motion[i].v[a];
         }
     }
     motion = std::move(sum);

@@ -1,5 +1,5 @@
 /// \file
-/// The dense grid of the textbook loop, and its mirror planes.
+/// The dense grid of the textbook loop, and its planes.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace textbook {
 
-/// A mirror plane on the nodes of index `node` along `axis`; the material is above it, or below if `upper`.
+/// A plane on the nodes of index `node` along `axis`; the material is above it, or below if `upper`.
 struct Plane {
   int axis, node;
   bool upper = false;
@@ -41,6 +41,7 @@ struct Motion {
 /// All nodes with their ghosts, z fastest.
 class Grid {
   int ghosts;
+  double inertia;
 
  public:
   Box box;
@@ -50,7 +51,9 @@ class Grid {
   std::vector<Motion> motion;
 
   /// \param layers of ghost nodes: those beyond a plane that a particle may touch
-  Grid(const Box& where, int layers) : ghosts(layers), box(where) {
+  /// \param variance of the kernel where it is a smooth spline, in cells squared: near walls the field is then a
+  ///        parabola that vanishes on them. 0: walls are odd mirrors
+  Grid(const Box& where, int layers, double variance) : ghosts(layers), inertia(variance), box(where) {
     for (int a = 0; a < 3; ++a) {
       first[a] = box.lower[a] - (box.periodic[a] ? 0 : ghosts);
       count[a] = box.upper[a] - box.lower[a] + (box.periodic[a] ? 0 : 1 + 2 * ghosts);
@@ -100,6 +103,37 @@ class Grid {
  private:
   std::vector<Plane> symmetries;
 
+  bool bends(const Plane& plane) const { return plane.no_slip && inertia > 0; }
+
+  /// The lines of nodes across a wall: the field b k + c (k^2 - inertia) of layers k that is nearest to what layers up
+  /// to 2 have, as their masses weigh it.
+  template <double (Motion::*V)[3]>
+  void fit_parabolas(const Plane& plane) {
+    const int a = plane.axis, b = (a + 1) % 3, c = (a + 2) % 3, on_plane = plane.node - first[a];
+    for (int i = 0; i < count[b]; ++i)
+      for (int j = 0; j < count[c]; ++j) {
+        const auto at = [&](int k) {
+          return std::size_t(plane.upper ? on_plane - k : on_plane + k) * stride[a] + std::size_t(i) * stride[b] +
+                 std::size_t(j) * stride[c];
+        };
+        double kk = 0, kq = 0, qq = 0, kv[3] = {}, qv[3] = {};
+        bool felt = false;
+        for (int k = -ghosts; k <= 2; ++k) {
+          const double m = nodes[at(k)].folded, q = k * k - inertia;
+          felt |= k <= 0 && m > 0;
+          kk += m * k * k, kq += m * k * q, qq += m * q * q;
+          for (int x = 0; x < 3; ++x) kv[x] += m * k * (motion[at(k)].*V)[x], qv[x] += m * q * (motion[at(k)].*V)[x];
+        }
+        if (!felt) continue;
+        const double det = kk * qq - kq * kq;
+        for (int k = -ghosts; k <= 2; ++k)
+          for (int x = 0; x < 3; ++x) {
+            const double slope = (qq * kv[x] - kq * qv[x]) / det, bend = (kk * qv[x] - kq * kv[x]) / det;
+            (motion[at(k)].*V)[x] = slope * k + bend * (k * k - inertia);
+          }
+      }
+  }
+
   /// Calls f(real, image) for the nodes at distance `layer` from a plane.
   template <class F>
   void each_pair(const Plane& plane, int layer, F f) const {
@@ -120,7 +154,7 @@ class Grid {
   }
 
   /// p/m with the images folded onto the real nodes (one axis after the other, so all products of planes come in),
-  /// zero where a plane holds the node, mirrored back onto the ghosts.
+  /// zero where a plane holds the node, a parabola near walls, mirrored back onto the ghosts.
   template <double (Motion::*V)[3], bool FoldMass>
   void divide(const std::vector<Plane>& planes) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -133,19 +167,22 @@ class Grid {
       }
     }
     if (planes.empty()) return;
-    for (const Plane& plane : planes)
+    std::vector<Plane> mirrors, walls;
+    for (const Plane& plane : planes) (bends(plane) ? walls : mirrors).push_back(plane);
+    for (const Plane& plane : mirrors)
       each_ghost(plane, [&](std::size_t real, std::size_t image) {
         if (FoldMass) nodes[real].folded += nodes[image].folded;
         for (int a = 0; a < 3; ++a) (motion[real].*V)[a] += plane.sign(a) * (motion[image].*V)[a];
       });
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (double& v : motion[i].*V) v = nodes[i].folded > 0 ? v / nodes[i].folded : 0;
-    for (const Plane& plane : planes)
+    for (const Plane& plane : mirrors)
       each_pair(plane, 0, [&](std::size_t real, std::size_t) {
         for (int a = 0; a < 3; ++a)
           if (plane.sign(a) < 0) (motion[real].*V)[a] = 0;
       });
-    for (const Plane& plane : planes)
+    for (const Plane& plane : walls) fit_parabolas<V>(plane);
+    for (const Plane& plane : mirrors)
       each_ghost(plane, [&](std::size_t real, std::size_t image) {
         for (int a = 0; a < 3; ++a) (motion[image].*V)[a] = plane.sign(a) * (motion[real].*V)[a];
       });

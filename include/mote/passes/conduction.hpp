@@ -168,6 +168,7 @@ class Conduction<T, D, true> {
   double pending_ = 0;                                      // time since it last conducted, s
   int steps_ = 0;                                           // the same
   AlignedVector<T> capacity_, temperature_, gain_;          // of nodes: J/K, K, K
+  Orbits<D> orbits_;                                        // in mirrors, which walls are for heat, too
 
  public:
   template <class... Materials>
@@ -184,11 +185,12 @@ class Conduction<T, D, true> {
   }
 
   /// The blocks have changed.
-  void allocate(std::size_t nodes) {
+  void allocate(const grid::Blocks<T, D>& blocks, const grid::Domain<D>& domain, int support) {
     for (auto* field : {&capacity_, &temperature_, &gain_}) {
-      reserve_amply(*field, nodes);
-      field->resize(nodes);
+      reserve_amply(*field, blocks.nodes());
+      field->resize(blocks.nodes());
     }
+    orbits_.find(blocks, domain, support, 0);
   }
 
   /// A step of length dt begins. \return the time to conduct for, s, or 0
@@ -204,11 +206,11 @@ class Conduction<T, D, true> {
   /// Conducts for the time dt. `for_each_tile(f)` calls f(body, tile) for the tiles of all bodies.
   template <class Shape, class ForEachTile, class Executor>
   void conduct(double dt, const ForEachTile& for_each_tile, const Executor& executor, const Tiling<D>& tiling,
-               const grid::Blocks<T, D>& blocks, const Orbits<D>& orbits, const Frame<T, D>& frame, T* accumulators) {
+               const grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, T* accumulators) {
     const double rounds = std::max(1.0, std::ceil(dt / limit_ - 1e-9)), relaxed = std::min(1.0, dt / (rounds * limit_));
     const auto on_grid = [&](auto&& block, auto&& orbit) {
       executor.for_each(blocks.index.size(), [&](std::size_t b) { block(std::uint32_t(b)); });
-      executor.for_each(orbits.blocks(), [&](std::size_t i) { for_each_orbit(i, orbits, orbit); });
+      executor.for_each(orbits_.blocks(), [&](std::size_t i) { for_each_orbit(i, orbit); });
     };
     for (double round = 0; round < rounds; ++round) {
       for_each_tile([&](auto& body, const Tile<D>& tile) { scatter_heat<Shape>(body, tile, frame, accumulators); });
@@ -250,10 +252,10 @@ class Conduction<T, D, true> {
 
   /// Calls f(images) for the nodes of a block near planes that have images beyond them.
   template <class F>
-  void for_each_orbit(std::size_t plane_block, const Orbits<D>& orbits, const F& f) const {
+  void for_each_orbit(std::size_t plane_block, const F& f) const {
     Images<D> images;
-    for (const Orbit<D>& orbit : orbits.of_block(plane_block)) {
-      images.take(orbits, orbit, capacity_);
+    for (const Orbit<D>& orbit : orbits_.of_block(plane_block)) {
+      images.take(orbits_, orbit, capacity_);
       if (images.count > 1) f(images);
     }
   }

@@ -134,15 +134,16 @@ template <class T, int D, class Loads>
   return ledger;
 }
 
-/// Holds the velocities of the nodes of a block near planes, and of their images, to the planes; books impulses and
-/// losses.
+/// Holds the velocities of the nodes of a block near planes, and of those that they bind, to the planes; books impulses
+/// and losses.
 ///
-/// A virtual mirrored body shares its momentum with the real one, node by node: v = (p + S p')/(m + m'), which is the
-/// Galerkin reduction to velocity fields that the mirror maps on themselves. The velocity before the forces is that of
-/// the whole body at a symmetry plane, and as the particles brought it at a wall, so that FLIP feels the wall.
+/// The field becomes the nearest that the planes allow (Images::project), the Galerkin reduction to such fields with
+/// lumped masses: at a mirror a virtual body shares its momentum with the real one, node by node, v = (p + S p')/(m +
+/// m'). The velocity before the forces is that of the whole body at a symmetry plane, and as the particles brought it
+/// at a wall, so that FLIP feels the wall.
 ///
-/// Where planes move, all of this is meant beside their velocity u: v, old and losses here are. The kinetic energy of
-/// someone at rest differs from that by u p + m u^2/2, so that a change of momentum dp brings u dp more.
+/// Where planes move, all of this is meant beside their velocity u: held, old and losses here are. The kinetic energy
+/// of someone at rest differs from that by u p + m u^2/2, so that a change of momentum dp brings u dp more.
 /// \param kept the part of its own velocity that a particle keeps (Transfer)
 template <class T, int D>
 [[gnu::noinline]] GridLedger<D> hold_to_planes(std::size_t plane_block, const Orbits<D>& orbits,
@@ -153,30 +154,29 @@ template <class T, int D>
   images.frame_velocity = frame_velocity;
   const Vec<T, D> u = cast<T>(frame_velocity);
   const auto energy = [](T mass, const Vec<T, D>& v) { return 0.5 * double(mass * dot(v, v)); };
+  Vec<T, D> held[Images<D>::most], old[Images<D>::most], whole[Images<D>::most];
   for (const Orbit<D>& orbit : orbits.of_block(plane_block)) {
     images.take(orbits, orbit, blocks.mass);
     if (!images.bound()) continue;
-    T mass;
-    const Vec<T, D> v = images.mean(blocks, blocks.velocity, mass), old = images.mean(blocks, blocks.previous, mass);
-    ledger.work += energy(mass, v) - energy(mass, old);
-    ledger.wall_loss -= energy(mass, old);
-    Vec<T, D> whole[64];
-    for (int k = 0; k < images.count; ++k) whole[k] = u + images.symmetric_mean(blocks, blocks.previous, k);
+    images.project(blocks, blocks.velocity, held);
+    images.project(blocks, blocks.previous, old);
+    for (int k = 0; k < images.count; ++k) whole[k] = images.symmetric_mean(blocks, blocks.previous, k);
     for (int k = 0; k < images.count; ++k) {
-      const auto& image = images.image[std::size_t(k)];
-      const T m = blocks.mass[image.node];
-      const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), image.node), held = u + images.reflect(v, image),
-                      before = node_vector<T, D>(blocks.previous.data(), image.node);
-      const Vec<T, D> push = m * (held - raw - T(kept) * (whole[k] - before));
+      const std::size_t node = images.image[std::size_t(k)].node;
+      const T m = blocks.mass[node];
+      const Vec<T, D> raw = node_vector<T, D>(blocks.velocity.data(), node),
+                      before = node_vector<T, D>(blocks.previous.data(), node);
+      const Vec<T, D> push = m * (u + held[k] - raw - T(kept) * (u + whole[k] - before));
       for (int c = 0; c < D; ++c)
         if (images.holds(c)) {
           ledger.impulse[images.holder(c)][c] += double(push[c]);
           ledger.piston_work += double(push[c]) * frame_velocity[c];
         }
-      ledger.wall_loss += energy(m, whole[k] - u);
-      ledger.work -= energy(m, raw) - energy(m, before) - double(m * dot(u, held - whole[k]));
-      set_node_vector(blocks.velocity.data(), image.node, held);
-      set_node_vector(blocks.previous.data(), image.node, whole[k]);
+      ledger.wall_loss += energy(m, whole[k]) - energy(m, old[k]);
+      ledger.work += energy(m, held[k]) - energy(m, old[k]) - energy(m, raw) + energy(m, before) +
+                     double(m * dot(u, held[k] - whole[k]));
+      set_node_vector(blocks.velocity.data(), node, u + held[k]);
+      set_node_vector(blocks.previous.data(), node, u + whole[k]);
     }
   }
   return ledger;
@@ -228,18 +228,18 @@ template <class T, int D>
   GridLedger<D> ledger;
   Images<D> images;
   images.frame_velocity = frame_velocity;
+  Vec<T, D> allowed[Images<D>::most];
   for (const Orbit<D>& orbit : orbits.of_block(plane_block)) {
     images.take(orbits, orbit, blocks.mass);
     if (!images.bound()) continue;
-    T mass;
-    const Vec<T, D> v = images.mean(blocks, field, mass);
+    images.project(blocks, field, allowed);
     for (int k = 0; k < images.count; ++k) {
-      const auto& image = images.image[std::size_t(k)];
-      const Vec<T, D> held = cast<T>(frame_velocity) + images.reflect(v, image),
-                      push = blocks.mass[image.node] * (held - node_vector<T, D>(field.data(), image.node));
+      const std::size_t node = images.image[std::size_t(k)].node;
+      const Vec<T, D> held = cast<T>(frame_velocity) + allowed[k],
+                      push = blocks.mass[node] * (held - node_vector<T, D>(field.data(), node));
       for (int c = 0; c < D; ++c)
         if (images.holds(c)) ledger.impulse[images.holder(c)][c] += double(push[c]);
-      set_node_vector(field.data(), image.node, held);
+      set_node_vector(field.data(), node, held);
     }
   }
   return ledger;

@@ -122,7 +122,7 @@ class Phases : public State<Shape, Transfer, T, D, Execution, Sleep, Loads, Mate
     const auto all = [&](const auto& f) {
       this->for_each_tile([&](auto& body, std::uint32_t t) { f(body, tiling_.tiles[t]); });
     };
-    conduction_.template conduct<Shape>(due, all, executor_, tiling_, blocks_, orbits_, frame_, accumulators_.data());
+    conduction_.template conduct<Shape>(due, all, executor_, tiling_, blocks_, frame_, accumulators_.data());
   }
 
   /// Adds to a node field what its like loses on the way to the particles and back. \return impulses of the planes
@@ -145,8 +145,8 @@ class Phases : public State<Shape, Transfer, T, D, Execution, Sleep, Loads, Mate
     const auto tiles = [&](const auto& f) { this->for_each_awake_tile(f); };
     const auto blocks = [&](const auto& f) { return this->sum_over_blocks(f); };
     const auto planes = [&](AlignedVector<T>& residual) { return hold(residual, {}); };
-    GridLedger<D> given = passes::sharpen<Shape>(tiles, blocks, planes, transfer_.order, sharp, tiling_, blocks_,
-                                                 frame_, accumulators_.data());
+    GridLedger<D> given = passes::sharpen<Shape>(tiles, blocks, planes, transfer_.order, tail(transfer_), sharp,
+                                                 tiling_, blocks_, frame_, accumulators_.data());
     for (const auto& impulse : given.impulse) given.piston_work += dot(impulse, frame_velocity_);
     given.work += given.piston_work;
     return given;

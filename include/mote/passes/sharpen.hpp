@@ -7,6 +7,8 @@
 /// consistent mass matrix is that of the lumped masses times B, so its inverse is the Neumann series sum (1 - B)^j,
 /// which never grows. Each correction d_j = (1 - B) d_(j-1) carries no momentum but what planes give (sum m_i (S+ S
 /// d)_i = sum m_i d_i), so an order cut off conserves momentum as exactly as none.
+///
+/// The last term may weigh more than one, since it stands for all that are cut off: (1 - B)^n/B.
 #pragma once
 
 #include <mote/passes/batch.hpp>
@@ -89,14 +91,14 @@ template <int D, class T>
 void copy_block(std::size_t block, const AlignedVector<T>& from, AlignedVector<T>& to) {
   std::copy_n(from.data() + block * block_numbers<D>, block_numbers<D>, to.data() + block * block_numbers<D>);
 }
-/// to += residual. \return sum m residual^2
+/// to += weight residual. \return sum m residual^2
 template <class T, int D>
-double add_residual(std::size_t block, const grid::Blocks<T, D>& blocks, AlignedVector<T>& to) {
+double add_residual(std::size_t block, const grid::Blocks<T, D>& blocks, T weight, AlignedVector<T>& to) {
   double square = 0;
   for (std::size_t node = block * grid::block_nodes<D>; node < (block + 1) * grid::block_nodes<D>; ++node) {
     const Vec<T, D> d = node_vector<T, D>(blocks.residual.data(), node);
     square += double(blocks.mass[node] * dot(d, d));
-    set_node_vector(to.data(), node, node_vector<T, D>(to.data(), node) + d);
+    set_node_vector(to.data(), node, node_vector<T, D>(to.data(), node) + weight * d);
   }
   return square;
 }
@@ -106,7 +108,7 @@ void subtract_blocks(std::size_t block, const AlignedVector<T>& a, const Aligned
   for (std::size_t i = block * block_numbers<D>; i < (block + 1) * block_numbers<D>; ++i) to[i] = a[i] - b[i];
 }
 
-/// sharp += (1 - B) v + ... + (1 - B)^(order - 1) v for the node field v that blocks.residual holds, and loses.
+/// sharp += (1 - B) v + ... + tail (1 - B)^(order - 1) v for the node field v that blocks.residual holds, and loses.
 ///
 /// If v is the change of velocity by forces, these do the work sum m v c/2 on its correction c. (1 - B) is
 /// self-adjoint: sum m v (1 - B)^n v is, after the j-th term, the product of the last two terms (n = 2j - 1) and the
@@ -117,9 +119,10 @@ void subtract_blocks(std::size_t block, const AlignedVector<T>& a, const Aligned
 /// \return the impulses that the planes give to the corrections, and that work
 template <class Shape, class ForEachTile, class SumOverBlocks, class Hold, class T, int D>
 GridLedger<D> sharpen(const ForEachTile& for_each_tile, const SumOverBlocks& sum_over_blocks, const Hold& hold,
-                      int order, AlignedVector<T>& sharp, const Tiling<D>& tiling, grid::Blocks<T, D>& blocks,
-                      const Frame<T, D>& frame, T* accumulators) {
+                      int order, double tail, AlignedVector<T>& sharp, const Tiling<D>& tiling,
+                      grid::Blocks<T, D>& blocks, const Frame<T, D>& frame, T* accumulators) {
   GridLedger<D> given;
+  const auto weight = [&](int n) { return n == order - 1 ? tail : n < order ? 1.0 : 0.0; };  // of (1 - B)^n v
   AlignedVector<T>& residual = blocks.residual;
   hold(residual);  // incoming velocities are not held to walls yet
   for (int j = 1; j < order; ++j) {
@@ -128,10 +131,11 @@ GridLedger<D> sharpen(const ForEachTile& for_each_tile, const SumOverBlocks& sum
     });
     const double product = sum_over_blocks(
         [&](std::uint32_t b) { return subtract_returned(b, tiling, accumulators, Shape::support, blocks); });
-    given += hold(residual);
-    const double square = sum_over_blocks([&](std::uint32_t b) { return add_residual(b, blocks, sharp); });
-    if (2 * j - 1 < order) given.work += 0.5 * product;
-    if (2 * j < order) given.work += 0.5 * square;
+    const GridLedger<D> by_planes = hold(residual);
+    for (std::size_t i = 0; i < given.impulse.size(); ++i) given.impulse[i] += weight(j) * by_planes.impulse[i];
+    const double square =
+        sum_over_blocks([&](std::uint32_t b) { return add_residual(b, blocks, T(weight(j)), sharp); });
+    given.work += 0.5 * (weight(2 * j - 1) * product + weight(2 * j) * square);
   }
   return given;
 }

@@ -128,7 +128,7 @@ class State<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials
       sorter.template operator()<Shape>(body, tiling_.tiles, frame_, domain_, executor_, lost);
     });
     linker_(tiling_, blocks_, domain_, Shape::support, Shape::first);
-    orbits_.find(blocks_, domain_, Shape::support);
+    orbits_.find(blocks_, domain_, Shape::support, Shape::inertia);
     allocate();
     if constexpr (Sleep::sleeps) sleeper_.reset(tiling_, domain_, Shape::support);
     const auto frame_velocity = cast<T>(grid_velocity(time_ + dt_));
@@ -296,7 +296,7 @@ class State<Shape, Transfer, T, D, Execution, Sleep, Loads, std::tuple<Materials
   /// Room for the fields of all nodes, tiles and blocks, whose numbers have changed.
   void allocate() {
     blocks_.allocate(remaps_, sharpens<Transfer> == Sharpens::incoming, sharpens<Transfer> != Sharpens::nothing);
-    if constexpr (conducts) conduction_.allocate(blocks_.nodes());
+    if constexpr (conducts) conduction_.allocate(blocks_, domain_, Shape::support);
     std::fill(blocks_.mass.begin(), blocks_.mass.end(), T(0));
     reports_.resize(tiling_.tiles.size());
     const std::size_t numbers = tiling_.place_buffers(Shape::support) * MomentumAndForce<T, D>::width;

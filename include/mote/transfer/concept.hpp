@@ -44,10 +44,17 @@ template <class X>
 requires requires { X::sharpens; }
 inline constexpr Sharpens sharpens<X> = X::sharpens;
 
+/// The weight of the last term of a transfer that sharpens: x.tail, if it has one. It stands for all that are cut off.
+template <class X>
+double tail(const X& x) {
+  if constexpr (requires { x.tail; }) return x.tail;
+  return 1;
+}
+
 /// X::affine       whether particles carry field::Affine and momentum m w (v + C (x_i - x_p)) goes to the grid
 /// X::increment    whether particles take the grid's change of velocity
 /// X::gradient     optional: whether the affine matrix is the velocity gradient with every kernel
-/// X::sharpens     optional, see above; x.order is then the number of terms
+/// X::sharpens     optional, see above; x.order is then the number of terms, x.tail (optional) the weight of the last
 /// x.kept()        the part of its own velocity that a particle keeps, 0 to 1
 /// x.update(values, grid)    sets the particle's field::Velocity (and field::Affine)
 template <class X>

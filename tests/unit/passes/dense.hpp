@@ -29,7 +29,7 @@ class Loop : public textbook::Grid {
   Vector impulse = {};  ///< given by the planes: the momentum that the particles gained, N s
 
   Loop(const textbook::Box& where, Transfer t, Update u, int terms)
-      : Grid(where, N / 2), transfer(t), update(u), order(terms) {}
+      : Grid(where, N / 2, N == 2 ? 0 : (N == 3 ? 0.25 : 1.0 / 3)), transfer(t), update(u), order(terms) {}
 
   void add(const Vector& x, const Vector& v, double mass) {
     auto& P = particles;

@@ -1,5 +1,8 @@
 /// \file
-/// The images of a node beyond mirror planes, where few particles are near and some lie beyond a plane.
+/// The images of a node beyond mirror planes, where few particles are near and some lie beyond a plane; the fields that
+/// walls allow.
+#include <memory>
+
 #include "catch.hpp"
 #include "schemes.hpp"
 
@@ -97,4 +100,135 @@ TEMPLATE_TEST_CASE("few particles in a narrow slot, some beyond its planes: each
                    schemes::CubicApicUsl) {
   check_slots<TestType, boundary::RigidWall>();
   check_slots<TestType, boundary::Symmetry>();
+}
+
+namespace {
+
+/// A body between walls on the lower sides and, on the upper side of the first axis, a symmetry plane.
+template <int D>
+struct Corner {
+  static constexpr int cells = 7;
+  template <class Shape>
+  static auto solver(Random& random) {
+    const auto at = [](int a) { return boundary::RigidWall{.side = {a, false}, .at = 0}; };
+    const boundary::Symmetry mirror{.side = {0, true}, .at = cells * h};
+    const auto make = [&](const auto&... walls) {
+      return Solver{grid::Cartesian<D>{.spacing = h},
+                    Shape{},
+                    transfer::Apic{},
+                    timestep::Fixed{.dt = 1e-12},
+                    aluminium,
+                    mirror,
+                    walls...};
+    };
+    auto all = [&] {
+      if constexpr (D == 1) return make(at(0));
+      if constexpr (D == 2) return make(at(0), at(1));
+      if constexpr (D == 3) return make(at(0), at(1), at(2));
+    };
+    auto out = std::unique_ptr<decltype(all())>(new auto(all()));
+    out->fill(geometry::Box<D>{.lower = {}, .upper = Vec<double, D>::filled(cells * h)}, aluminium, {});
+    shake<field::Position>(out->particles(), D, 0.2 * h, random);
+    for (double& m : out->particles().template column<field::Mass>()) m *= 1 + random(0.9);
+    out->step();
+    return out;
+  }
+};
+
+/// The field of a kernel at x, in cells.
+template <class Shape, int D>
+Vec<double, D> field_at(const grid::Blocks<double, D>& blocks, const AlignedVector<double>& field, Vec<double, D> x) {
+  IVec<D> low{};
+  double w[D][Shape::support];
+  for (int a = 0; a < D; ++a) {
+    low[a] = int(std::floor(x[a] - Shape::first));
+    Shape::values(x[a] - low[a], w[a]);
+  }
+  Vec<double, D> sum{};
+  for (int n = 0; n < int(std::pow(Shape::support, D)); ++n) {
+    IVec<D> node = low;
+    double weight = 1;
+    for (int a = 0, rest = n; a < D; ++a, rest /= Shape::support) {
+      node[a] += rest % Shape::support;
+      weight *= w[a][rest % Shape::support];
+    }
+    if (weight != 0) sum += weight * passes::node_vector<double, D>(field.data(), blocks.find(node));
+  }
+  return sum;
+}
+
+template <class Shape, int D>
+void check_walls() {
+  Random random;
+  const auto solver = Corner<D>::template solver<Shape>(random);
+  auto blocks = solver->nodes();
+  passes::Orbits<D> orbits;
+  orbits.find(blocks, solver->domain(), Shape::support, Shape::inertia);
+  const auto held = [&](auto field) {
+    for (std::size_t i = 0; i < orbits.blocks(); ++i) passes::hold_field(i, orbits, field, blocks, {});
+    return field;
+  };
+  const auto product = [&](const auto& a, const auto& b) {
+    double sum = 0;
+    for (std::size_t n = 0; n < blocks.nodes(); ++n)
+      sum += blocks.mass[n] *
+             dot(passes::node_vector<double, D>(a.data(), n), passes::node_vector<double, D>(b.data(), n));
+    return sum;
+  };
+  const auto noise = [&] {
+    auto field = blocks.velocity;
+    for (double& v : field) v = random(1);
+    return field;
+  };
+  const auto raw = noise(), once = held(raw), other = held(noise());
+
+  // it vanishes on the walls, up to where the body ends
+  for (int i = 0; i < 100; ++i)
+    for (int a = 0; a < D; ++a) {
+      Vec<double, D> x{};
+      for (int b = 0; b < D; ++b) x[b] = b == a ? 0.0 : 2.5 + random(2.5);
+      CAPTURE(a, x[0], x[D - 1]);
+      REQUIRE(norm(field_at<Shape>(blocks, once, x)) < 1e-13);
+    }
+  // it is the nearest such field, and stays so
+  const double size = product(raw, raw);
+  auto rest = raw, again = held(once);
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    rest[i] -= once[i];
+    again[i] -= once[i];
+  }
+  CHECK(product(rest, rest) > 0.01 * size);
+  CHECK(product(once, once) > 0.1 * size);
+  CHECK(std::abs(product(rest, other)) < 1e-12 * size);
+  CHECK(product(again, again) < 1e-24 * size);
+  // parabolas that vanish on the walls are left alone
+  auto parabolas = raw;
+  for (std::size_t n = 0; n < blocks.nodes(); ++n) {
+    const IVec<D> at = blocks.coordinates(n);
+    Vec<double, D> v{};
+    for (int c = 0; c < D; ++c) {
+      v[c] = 1;
+      for (int a = 0; a < D; ++a) {
+        const double slope = a == 0 && c == 0 ? 1 : c + 2, bend = a == 0 ? 0.5 : 1 - 0.3 * c;
+        v[c] *= slope * at[a] + bend * (at[a] * at[a] - Shape::inertia);
+      }
+      // beside the mirror, which asks for other things
+      if (at[0] > Corner<D>::cells - 3) v[c] = 0;
+    }
+    passes::set_node_vector(parabolas.data(), n, v);
+  }
+  const auto kept = held(parabolas);
+  for (std::size_t n = 0; n < blocks.nodes(); ++n)
+    if (blocks.mass[n] > 0)
+      REQUIRE(norm(passes::node_vector<double, D>(kept.data(), n) -
+                   passes::node_vector<double, D>(parabolas.data(), n)) < 1e-10);
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("walls allow what vanishes on them and is a parabola near them, and take the nearest such field",
+                   "[passes][boundary]", shape::QuadraticBSpline, shape::CubicBSpline) {
+  check_walls<TestType, 1>();
+  check_walls<TestType, 2>();
+  check_walls<TestType, 3>();
 }
