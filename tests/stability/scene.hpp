@@ -54,6 +54,7 @@ struct Place {
 struct Extremes {
   Place low, high;
   int above = 0, below = 0;  ///< particles above +0.3 GPa and below -1.5 GPa
+  int broken = 0;            ///< particles whose pressure is no finite number
 };
 
 template <class Solver>
@@ -66,7 +67,7 @@ Extremes extremes(const Solver& solver, int per_axis) {
     Values<double, 3, typename std::remove_cvref_t<decltype(p)>::list> v;
     p.load(i, v);
     const double x = metal.pressure(v);
-    out.above += x > 0.3e9, out.below += x < -1.5e9;
+    out.above += x > 0.3e9, out.below += x < -1.5e9, out.broken += !std::isfinite(x);
     const Place here{x,
                      get<field::Position>(v),
                      get<field::Mass>(v) / whole,

@@ -8,7 +8,9 @@ namespace mote::boundary {
 
 /// Velocity zero on the plane (no slip, no contact: the wall is the same metal, at rest), in compression and tension.
 ///
-/// All components are odd in the mirror. Zeroing nodes instead would put the wall of a wide kernel half a cell off.
+/// With B-splines of two degrees or more the field near the wall is a parabola that vanishes on it
+/// (passes/images.hpp), with other kernels odd in the mirror. Zeroing nodes instead would put the wall of a wide kernel
+/// half a cell off.
 struct RigidWall {
   using role = mote::role::Boundary;
   static constexpr bool body_beyond = false;
