@@ -45,11 +45,11 @@ class Loop : public Grid {
 
  public:
   Metal metal;
-  double blend = 1;       ///< FLIP: 1, PIC: 0; no meaning with APIC
-  int order = 2;          ///< terms of the change of velocity, with affine FLIP
-  double tail = 4.0 / 3;  ///< weight of the last of them
-  Vector gravity = {};    ///< body force per mass, m/s^2
-  Vector impulse = {};    ///< given by the planes since the beginning, N s
+  double blend = 1;     ///< FLIP: 1, PIC: 0; no meaning with APIC
+  int order = 2;        ///< terms of the change of velocity, with affine FLIP
+  double tail = 1.25;   ///< weight of the last of them
+  Vector gravity = {};  ///< body force per mass, m/s^2
+  Vector impulse = {};  ///< given by the planes since the beginning, N s
   Particles particles;
 
   explicit Loop(const Box& where, const Metal& material = {})

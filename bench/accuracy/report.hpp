@@ -38,7 +38,7 @@ struct Wanted {
     static const std::vector<std::vector<std::string>> all{
         {"bar", "vortex", "wave_100", "wave_400", "wave_-500", "cavity_100", "cavity_400"},
         {"linear", "quadratic", "cubic", "cpgimp"},
-        {"flip", "flip0.99", "apic", "aflip", "xpic", "fmpm", "aflip_0_0", "aflip_0.95_0", "aflip_1_1"},
+        {"flip", "flip0.99", "apic", "aflip", "xpic", "fmpm"},
         {"usl", "musl", "usf"}};
     return all;
   }

@@ -103,7 +103,7 @@ void add_method(CLI::App& app, Options& o) {
   app.add_option("--seed", o.seed, "of the jitter [0]");
   add_words(app, shapes, o.shape, "shape functions [quadratic]");
   add_words(app, transfers, o.transfer, "between particles and grid [aflip]");
-  app.add_option("--flip-blend", o.flip_blend, "of flip, 1: FLIP, 0: PIC [1]; of aflip [0.9]");
+  app.add_option("--flip-blend", o.flip_blend, "of flip, 1: FLIP, 0: PIC [1]; of aflip [0.85]");
   app.add_option("--order", o.order, "of xpic, fmpm and aflip, 1 to 40; 1: the lumped mass [xpic 5, fmpm 2, aflip 2]");
   add_words(app, updates, o.update, "when stresses are updated [usl]");
   app.add_option("--courant", o.courant, "time step over cell crossing time, up to 1 [0.4]");

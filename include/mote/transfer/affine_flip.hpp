@@ -19,11 +19,11 @@ namespace mote::transfer {
 /// The change of velocity dv = dt f/m of the lumped masses belongs to the centres of mass of what the nodes carry, and
 /// at a free surface these lie within, so that what lies beyond is pulled too little. So dv is sharpened
 /// (passes/sharpen.hpp): `order` terms of the consistent mass matrix's inverse, dv + (1 - S+ S) dv + ... The last is
-/// weighed by `tail`: with two terms, 1 + tail (1 - b) stands for 1/b, b what S+ S takes of a mode, and 4/3 makes it
-/// right for b = 3/4, waves of some six cells, too much by 2% at most for longer ones (1: too little, by (1 - b)^2).
-/// Two terms bring the volume of the paper's cavity on its own mesh to 0.7% from the converged one, from 2 to 3%
-/// (docs/accuracy.md). They make a stiffer grid: with quadratic splines a bar stays quiet up to a Courant number of
-/// 0.8, instead of 1.
+/// weighed by `tail`: with two terms, 1 + tail (1 - b) stands for 1/b, b what S+ S takes of a mode, and 5/4 makes it
+/// right for b = 4/5, waves of some seven cells, too much by 1.3% at most for longer ones (1: too little, by
+/// (1 - b)^2, which is better for smooth waves on many cells). Two terms bring the volume of the paper's cavity on its
+/// own mesh to 0.8% from the converged one, from 2 to 3% (docs/accuracy.md). They make a stiffer grid: with quadratic
+/// splines a bar stays quiet up to a Courant number of 0.8, instead of 1.
 ///
 /// Not for linear hats at free surfaces, whose gradient feeds the noise of tiny nodes back (update/musl.hpp).
 /// Conserves linear momentum; angular momentum not exactly, since C is the gradient. Needs field::Affine.
@@ -38,9 +38,9 @@ struct AffineFlip {
   static constexpr bool gradient = true;
   static constexpr Sharpens sharpens = Sharpens::change;
 
-  double blend = 0.9;       ///< of the velocity, 0 to 1
-  int order = 2;            ///< terms of the change of velocity; 1: that of the lumped mass
-  double tail = 4.0 / 3.0;  ///< weight of the last of two terms or more, 1 to 2
+  double blend = 0.85;  ///< of the velocity, 0 to 1
+  int order = 2;        ///< terms of the change of velocity; 1: that of the lumped mass
+  double tail = 1.25;   ///< weight of the last of two terms or more, 1 to 2
 
   void validate() const {
     require(blend >= 0 && blend <= 1, "the FLIP blend is ", blend, "; it must be in [0, 1]");
