@@ -324,4 +324,6 @@ TEST_CASE("orders out of range are refused", "[transfer]") {
   CHECK_THROWS_WITH(transfer::Fmpm{.order = 41}.validate(), "mote: the FMPM order is 41; it must be from 1 to 40");
   CHECK_THROWS_WITH(transfer::AffineFlip{.order = 0}.validate(),
                     "mote: the order of the change of velocity is 0; it must be from 1 to 40");
+  CHECK_THROWS_WITH(transfer::AffineFlip{.tail = 0.5}.validate(),
+                    "mote: the weight of the last term is 0.5; it must be in [1, 2]");
 }
