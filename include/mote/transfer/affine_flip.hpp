@@ -23,7 +23,7 @@ namespace mote::transfer {
 /// right for b = 4/5, waves of some seven cells, too much by 1.3% at most for longer ones (1: too little, by
 /// (1 - b)^2, which is better for smooth waves on many cells). Two terms bring the volume of the paper's cavity on its
 /// own mesh to 0.8% from the converged one, from 2 to 3% (docs/accuracy.md). They make a stiffer grid: with quadratic
-/// splines a bar stays quiet up to a Courant number of 0.8, instead of 1.
+/// splines a bar stays quiet up to a Courant number of 0.75, instead of 1.
 ///
 /// Not for linear hats at free surfaces, whose gradient feeds the noise of tiny nodes back (update/musl.hpp).
 /// Conserves linear momentum; angular momentum not exactly, since C is the gradient. Needs field::Affine.
