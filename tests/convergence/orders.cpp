@@ -48,6 +48,7 @@ constexpr const char* crossing = "kernels of constant size leave nodes between s
 constexpr const char* lumping = "the lumped mass, the leading error, is what it corrects";
 constexpr const char* behind = "the strain is taken a step behind the places";
 constexpr const char* stretched = "particles of a stretched cell fill more than it: an error of order A stays";
+constexpr const char* parabola = "at the wall the field is a parabola, where the kernel could do more";
 constexpr const char* second = "the second field smooths the free end";
 constexpr const char* quadrature = "two particles per axis of a sheared lattice do not sum up to the integral";
 
@@ -87,6 +88,8 @@ constexpr Rule rules[] = {
     {"cpGIMP", "APIC", "USF", Problem::vibration, about(1.65), second},
     {"cpGIMP", "AFLIP", "MUSL", Problem::vibration, about(1.65), second},
     {"cpGIMP", "AFLIP", "USF", Problem::vibration, about(1.65), second},
+    {"cubic", "FMPM(2)", any, Problem::vibration, about(1.7), parabola},
+    {"cubic", "AFLIP", any, Problem::vibration, at_least(2), lumping},
     {any, "FMPM(2)", any, Problem::vibration, at_least(2), lumping},
     {any, any, any, Problem::vibration, about(2)},
     // in the plane: what is crossed are cells along both axes
