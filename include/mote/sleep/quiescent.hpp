@@ -14,17 +14,18 @@ namespace mote::sleep {
 /// A tile (the particles of one block of 4^D cells) of one velocity and without stress sleeps while its neighbours are
 /// like it: it is neither transferred nor updated, and moves as a whole. passes/sleep.hpp says when it wakes.
 ///
-/// A particle's disturbance is the largest component of (v - v_ref)/c, sigma/(rho c^2) and, with an affine field, h C/c, where c
-/// is its longitudinal speed of sound. What lies below the tolerance may be held up at the edge of what sleeps. The
-/// default is the largest power of ten with which every column of the cavity's history agrees with that of a run
-/// without sleep to 1e-9 of its maximum: to 2.1e-10 (docs/performance.md, bench/plot_sleep.py). The material must not
-/// change of itself at rest (creep, conduction), and there must be no loads: a body force moves what is at rest.
+/// A particle's disturbance is the largest component of (v - v_ref)/c, sigma/(rho c^2) and, with an affine field, h
+/// C/c, where c is its longitudinal speed of sound. What lies below the tolerance may be held up at the edge of what
+/// sleeps. The default is the largest of 1, 2 and 5 times a power of ten with which every column of the cavity's
+/// history agrees with that of a run without sleep to 1e-9 of its maximum: to 3.3e-10 (docs/performance.md,
+/// bench/plot_sleep.py). The material must not change of itself at rest (creep, conduction), and there must be no
+/// loads: a body force moves what is at rest.
 struct Quiescent {
   using role = mote::role::Sleep;
   static constexpr bool sleeps = true;
 
-  double tolerance = 1e-9;  ///< > 0
-  bool enabled = true;      ///< false: like Never, for a program that leaves the choice to its user
+  double tolerance = 2e-10;  ///< > 0
+  bool enabled = true;       ///< false: like Never, for a program that leaves the choice to its user
 
   void validate() const {
     require(tolerance > 0 && tolerance < 1, "the tolerance of sleep is ", tolerance,
