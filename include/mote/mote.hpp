@@ -90,6 +90,7 @@
 #include <mote/passes/images.hpp>
 #include <mote/passes/messages.hpp>
 #include <mote/passes/neighbours.hpp>
+#include <mote/passes/orbits.hpp>
 #include <mote/passes/phases.hpp>
 #include <mote/passes/scatter.hpp>
 #include <mote/passes/sharpen.hpp>

@@ -16,7 +16,7 @@ namespace mote {
 /// B::odd(component, normal_axis)    whether that component changes sign in the mirror (and so vanishes on the plane)
 /// B::body_beyond                    whether the mirrored body is there (symmetry) or a mere device (wall): then its
 ///                                   momentum does not count before the forces, and FLIP feels the wall. Where all
-///                                   components are odd the field may then bend on the plane (passes/images.hpp)
+///                                   components are odd the field may then bend on the plane (passes/orbits.hpp)
 template <class B>
 concept MirrorPlane = HasRole<B, role::Boundary> && requires(const B& b) {
   { b.side } -> std::convertible_to<Side>;

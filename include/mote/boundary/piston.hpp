@@ -13,10 +13,10 @@ namespace mote::boundary {
 /// boundary::RigidWall is one at rest.
 ///
 /// The grid goes with the piston, along its axis: MPM takes a new grid for each step, and may take it where the piston
-/// is. So the plane lies on nodes at every time, the field near it is that of a wall seen from the piston, and the error
-/// in its place is none in space; in time it is that of the mid-point rule for the velocity's integral, O(dt^2), and
-/// round-off for a constant one. The price: another plane cannot lie across the same axis, and walls beside the piston
-/// must let it slide (boundary::Symmetry); both are refused.
+/// is. So the plane lies on nodes at every time, the field near it is that of a wall seen from the piston, and the
+/// error in its place is none in space; in time it is that of the mid-point rule for the velocity's integral, O(dt^2),
+/// and round-off for a constant one. The price: another plane cannot lie across the same axis, and walls beside the
+/// piston must let it slide (boundary::Symmetry); both are refused.
 ///
 /// Impulse, and work = impulse times velocity, are in the ledger. Where the piston is: `solver.domain()` and
 /// `solver.frame()`.

@@ -9,7 +9,7 @@ namespace mote::boundary {
 /// Velocity zero on the plane (no slip, no contact: the wall is the same metal, at rest), in compression and tension.
 ///
 /// With B-splines of two degrees or more the field near the wall is a parabola that vanishes on it
-/// (passes/images.hpp), with other kernels odd in the mirror. Zeroing nodes instead would put the wall of a wide kernel
+/// (passes/orbits.hpp), with other kernels odd in the mirror. Zeroing nodes instead would put the wall of a wide kernel
 /// half a cell off.
 struct RigidWall {
   using role = mote::role::Boundary;
