@@ -20,8 +20,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-TOLERANCES = [10.0**e for e in range(-16, -5)]
-DEFAULT, DEMANDED = 1e-9, 1e-9
+DEFAULT, DEMANDED = 2e-10, 1e-9
+TOLERANCES = sorted([10.0**e for e in range(-16, -5)] + [DEFAULT])
 
 
 def run(cavity, out, *options):
