@@ -80,7 +80,7 @@ def draw(results, picture):
     for axes in (above, below):
         axes.axvline(DEFAULT, color="tab:green")
         axes.grid(alpha=0.3)
-    above.annotate("default", (DEFAULT, 1e-13), textcoords="offset points", xytext=(4, 0), color="tab:green")
+    above.text(DEFAULT, 0.05, " default", transform=above.get_xaxis_transform(), color="tab:green")
     above.set_title("cavity --preset accurate --until 7 --frames 0 --threads 1", fontsize=10)
     figure.savefig(picture, dpi=120)
 
